@@ -1,0 +1,1 @@
+//! A cutter against a surface at one point.

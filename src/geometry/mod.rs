@@ -1,0 +1,20 @@
+//! Surfaces, meshes and what can be measured on them.
+//!
+//! A [`Surface`] is evaluated once into a [`Jet`] (point, first and second derivatives); everything else, from
+//! normals to curvature, is read off the jet.
+
+mod analytic;
+mod curvature;
+mod face;
+mod jet;
+mod mesh;
+mod surface;
+mod zone;
+
+pub use analytic::{Cone, Cylinder, Plane, Sphere, Torus};
+pub use curvature::{Curvature, Principal};
+pub use face::{Face, Side};
+pub use jet::Jet;
+pub use mesh::TriMesh;
+pub use surface::{Domain, Range, Surface, Uv};
+pub use zone::Zone;

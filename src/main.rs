@@ -1,0 +1,3 @@
+//! The `stepover` command.
+
+fn main() {}

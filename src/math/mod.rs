@@ -1,0 +1,4 @@
+//! Numbers and space, without a word of machining.
+
+pub mod frame;
+pub mod root;

@@ -1,0 +1,7 @@
+//! The vocabulary that planner, simulation and post-processors share; no algorithm lives here.
+
+mod path;
+mod station;
+
+pub use path::{Move, Rate, Role, Toolpath};
+pub use station::{CcPoint, ClPoint, Pass, Posture, Station};
