@@ -1,1 +1,13 @@
-//! A cutter against a surface at one point.
+//! The cutter against a surface at one contact point: where it stands, how it bends away, what it finishes.
+
+mod envelope;
+mod half_strip;
+mod place;
+mod relative;
+mod strip_model;
+
+pub use envelope::Sweep;
+pub use half_strip::HalfStrip;
+pub use place::{axis, center, cl_of, contact_of};
+pub use relative::{cutter_curvature, second_order_strip_width};
+pub use strip_model::{ModelStrip, model_strip};

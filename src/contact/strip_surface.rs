@@ -1,0 +1,1 @@
+//! Exact strip over the real surface.
