@@ -5,9 +5,11 @@ mod half_strip;
 mod place;
 mod relative;
 mod strip_model;
+mod strip_surface;
 
 pub use envelope::Sweep;
 pub use half_strip::HalfStrip;
 pub use place::{axis, center, cl_of, contact_of};
 pub use relative::{cutter_curvature, second_order_strip_width};
 pub use strip_model::{ModelStrip, model_strip};
+pub use strip_surface::{Edge, FaceStrip, StripLimits, face_strip};

@@ -1,1 +1,234 @@
 //! Exact strip over the real surface.
+
+use super::envelope::Sweep;
+use super::half_strip::{HalfStrip, Reading, Search, search};
+use super::relative::second_order_strip_width;
+use crate::cutter::Cutter;
+use crate::geometry::{Curvature, Face, Uv};
+use crate::toolpath::CcPoint;
+use glam::DVec3;
+
+/// One edge of a strip on a face.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Edge {
+    /// The cusp reaches the limit here.
+    Reached(Uv),
+    /// The strip runs over the face's border, which it meets near here.
+    Border(Uv),
+    /// The cutter digs in beside its contact, as deep as this (mm, negative).
+    Gouge(f64),
+}
+
+/// The strip that one contact point finishes on a face.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FaceStrip {
+    /// The `+b` side.
+    pub left: Edge,
+    /// The `−b` side.
+    pub right: Edge,
+}
+
+/// What a strip is measured with.
+#[derive(Debug, Clone, Copy)]
+pub struct StripLimits {
+    /// Height of the cusp at the strip's edge, mm, above 0.
+    pub scallop: f64,
+    /// How deep the cutter may dig beside its contact before it counts as a gouge, mm.
+    pub gouge: f64,
+}
+
+/// Share of the scallop to which an edge is found.
+const ACCURACY: f64 = 1e-3;
+/// A foot is found when its tangential residue is below this, mm: the height then errs by the square of it, halved
+/// and times the curvature.
+const FOOT: f64 = 1e-4;
+
+/// The exact strip about the contact `cc` at `uv` on `face`, while the contact moves along its feed at unit speed and
+/// its frame turns by `spin` (radians per mm, in world axes).
+///
+/// The envelope is that of the true motion and the height is taken along the face's own normal, with no model in
+/// between. An edge is found to a thousandth of the scallop. `None` at a pole.
+pub fn face_strip(
+    face: &Face,
+    cutter: &Cutter,
+    cc: &CcPoint,
+    uv: Uv,
+    spin: DVec3,
+    limits: StripLimits,
+) -> Option<FaceStrip> {
+    let (jet, _) = face.at(uv)?;
+    let surface = Curvature::of(&jet, &cc.frame)?;
+    let expected = 0.5 * second_order_strip_width(cutter, cc.posture, &surface, limits.scallop);
+    let sweep = Sweep::new(cutter, cc, cc.frame.f, spin);
+    let edge = |left: bool| {
+        let sign = if left { 1.0 } else { -1.0 };
+        let toward = sweep.left(cc.frame.b) * sign;
+        let mut foot = Foot { face, uv };
+        let read = |theta: f64| {
+            let e = sweep.point(theta);
+            let side = (e - cc.point).dot(cc.frame.b) * sign;
+            Reading { height: foot.height(e).unwrap_or(f64::NAN), side }
+        };
+        let how =
+            Search { scallop: limits.scallop, gouge: limits.gouge, expected, toward, accuracy: ACCURACY };
+        match search(read, how) {
+            HalfStrip::Reached { theta, .. } => Edge::Reached(foot.at(sweep.point(theta))),
+            HalfStrip::Whole { .. } => Edge::Reached(foot.uv),
+            HalfStrip::Border { theta } => {
+                let last = foot.at(sweep.point(theta));
+                if near_border(face, last) { Edge::Border(last) } else { Edge::Reached(last) }
+            }
+            HalfStrip::Gouge { height } => Edge::Gouge(height),
+        }
+    };
+    Some(FaceStrip { left: edge(true), right: edge(false) })
+}
+
+/// Whether `uv` lies within a hundredth of the domain of a border.
+fn near_border(face: &Face, uv: Uv) -> bool {
+    let domain = face.domain();
+    let near = |range: crate::geometry::Range, x: f64| {
+        !range.periodic && (x - range.lo).min(range.hi - x) < 0.01 * range.length()
+    };
+    near(domain.u, uv.u) || near(domain.v, uv.v)
+}
+
+/// The foot of a moving point on a face, followed from call to call.
+struct Foot<'a> {
+    face: &'a Face,
+    uv: Uv,
+}
+
+impl Foot<'_> {
+    /// Height of `e` over the face along its normal; `None` where its foot lies outside the face or none is found.
+    fn height(&mut self, e: DVec3) -> Option<f64> {
+        let domain = self.face.domain();
+        let mut uv = self.uv;
+        let mut clamped = false;
+        for _ in 0..20 {
+            let jet = self.face.jet(uv);
+            let away = e - jet.p;
+            let (du, dv) = jet.pull_back(away)?;
+            let n = self.face.normal(&jet)?;
+            let tangential = away - n * away.dot(n);
+            if tangential.length_squared() < FOOT * FOOT {
+                self.uv = uv;
+                return Some(away.dot(n));
+            }
+            let next = Uv::new(uv.u + du, uv.v + dv);
+            let held = domain.hold(next);
+            let out = !domain.contains(next);
+            if out && clamped {
+                return None;
+            }
+            clamped = out;
+            uv = held;
+        }
+        None
+    }
+
+    fn at(&mut self, e: DVec3) -> Uv {
+        self.height(e);
+        self.uv
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::model_strip;
+    use crate::geometry::{Cylinder, Plane, Range, Side, Sphere, Surface};
+    use crate::math::frame::Frame;
+    use crate::toolpath::Posture;
+
+    const LIMITS: StripLimits = StripLimits { scallop: 0.5, gouge: 1e-3 };
+    const WORLD: Frame = Frame { f: DVec3::X, b: DVec3::Y, n: DVec3::Z };
+
+    fn mill(center_radius: f64, corner_radius: f64) -> Cutter {
+        Cutter::bull_nose(2.0 * (center_radius + corner_radius), corner_radius, 100.0).unwrap()
+    }
+
+    fn chord(face: &Face, strip: FaceStrip) -> f64 {
+        let (Edge::Reached(l), Edge::Reached(r)) = (strip.left, strip.right) else { panic!("{strip:?}") };
+        face.jet(l).p.distance(face.jet(r).p)
+    }
+
+    /// The strip across a cylinder of `radius`, feed along its axis, cut on `side` with `lead` degrees.
+    fn on_cylinder(radius: f64, side: Side, center_radius: f64, lead: f64, h: f64) -> f64 {
+        let cylinder = Cylinder::new(DVec3::ZERO, WORLD, radius, [-1.0, 1.0], [-50.0, 50.0]).unwrap();
+        let face = Face::new(cylinder, side);
+        let uv = Uv::new(0.0, 0.0);
+        let (jet, n) = face.at(uv).unwrap();
+        let frame = Frame::from_normal(n, DVec3::Z).unwrap();
+        let posture = Posture { lead: lead.to_radians(), yaw: 0.0 };
+        let cc = CcPoint { point: jet.p, frame, posture };
+        let limits = StripLimits { scallop: h, gouge: 1e-3 };
+        chord(&face, face_strip(&face, &mill(center_radius, 2.0), &cc, uv, DVec3::ZERO, limits).unwrap())
+    }
+
+    #[test]
+    fn cylinders_by_lead() {
+        // Chords over convex and concave cylinders, r = 2, feed along the axis.
+        for (radius, side, r1, lead, h, expected) in [
+            (30.0, Side::Front, 1.0, 15.0, 0.5, 3.8201),
+            (30.0, Side::Front, 1.0, 30.0, 0.5, 3.4813),
+            (30.0, Side::Front, 1.0, 45.0, 0.5, 3.2999),
+            (30.0, Side::Back, 1.0, 15.0, 0.5, 4.3745),
+            (30.0, Side::Back, 1.0, 30.0, 0.5, 3.9694),
+            (30.0, Side::Back, 1.0, 45.0, 0.5, 3.7378),
+            (15.0, Side::Back, 1.0, 15.0, 0.5, 4.7073),
+            (15.0, Side::Back, 1.0, 30.0, 0.5, 4.2725),
+            (15.0, Side::Back, 1.0, 45.0, 0.5, 4.0104),
+            (30.0, Side::Front, 3.0, 5.0, 0.01, 1.1449),
+            (30.0, Side::Back, 3.0, 15.0, 0.01, 1.3996),
+            (15.0, Side::Back, 3.0, 15.0, 0.01, 2.8933),
+        ] {
+            let found = on_cylinder(radius, side, r1, lead, h);
+            let (s, t) = (found, expected);
+            assert!((s / t - 1.0).abs() < 1e-3, "{radius} {side:?} {lead}: chord {s}, expected {t}");
+        }
+    }
+
+    #[test]
+    fn agrees_with_the_model_on_a_sphere() {
+        let radius = 80.0;
+        let face =
+            Face::new(Sphere::new(DVec3::ZERO, WORLD, radius, [-1.0, 1.0], [-1.0, 1.0]).unwrap(), Side::Back);
+        let uv = Uv::new(0.1, 0.2);
+        let (jet, n) = face.at(uv).unwrap();
+        let frame = Frame::from_normal(n, DVec3::new(0.3, 1.0, 0.2)).unwrap();
+        let posture = Posture { lead: 0.2, yaw: -0.5 };
+        let cc = CcPoint { point: jet.p, frame, posture };
+        let k = 1.0 / radius;
+        let limits = StripLimits { scallop: 0.01, gouge: 1e-3 };
+        let cutter = mill(9.5, 3.0);
+        let strip = face_strip(&face, &cutter, &cc, uv, frame.b * -k, limits).unwrap();
+        let (l, r) =
+            model_strip(&cutter, posture, &Curvature { ff: k, fb: 0.0, bb: k }, 0.01).half_widths().unwrap();
+        // With yaw the two edges are cut at different instants, so they are compared across the feed.
+        let (Edge::Reached(left), Edge::Reached(right)) = (strip.left, strip.right) else { panic!() };
+        let across = |uv| (face.jet(uv).p - cc.point).dot(frame.b);
+        assert!((across(left) / l - 1.0).abs() < 3e-3, "{} {l}", across(left));
+        assert!((-across(right) / r - 1.0).abs() < 3e-3, "{} {r}", -across(right));
+    }
+
+    #[test]
+    fn strip_ends_at_the_border() {
+        let plane = Plane {
+            origin: DVec3::ZERO,
+            frame: WORLD,
+            u: Range::open(-10.0, 10.0),
+            v: Range::open(-10.0, 1.0),
+        };
+        assert!(plane.domain().contains(Uv::new(0.0, 1.0)));
+        let face = Face::new(plane, Side::Front);
+        let cc = CcPoint {
+            point: DVec3::ZERO,
+            frame: WORLD,
+            posture: Posture { lead: 15f64.to_radians(), yaw: 0.0 },
+        };
+        let strip = face_strip(&face, &mill(1.0, 2.0), &cc, Uv::new(0.0, 0.0), DVec3::ZERO, LIMITS).unwrap();
+        assert!(matches!(strip.left, Edge::Border(uv) if uv.v > 0.99), "{strip:?}");
+        assert!(matches!(strip.right, Edge::Reached(uv) if (uv.v + 2.04).abs() < 0.01), "{strip:?}");
+    }
+}
