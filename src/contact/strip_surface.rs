@@ -116,7 +116,7 @@ impl Foot<'_> {
                 return Some(away.dot(n));
             }
             let next = Uv::new(uv.u + du, uv.v + dv);
-            let held = domain.hold(next);
+            let held = domain.clamp(next);
             let out = !domain.contains(next);
             if out && clamped {
                 return None;

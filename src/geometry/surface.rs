@@ -87,6 +87,13 @@ impl Domain {
         Uv::new(self.u.hold(uv.u), self.v.hold(uv.v))
     }
 
+    /// `uv` clamped where the rectangle has borders and left alone where it is periodic, so that a point that goes
+    /// round keeps its count of turns.
+    pub fn clamp(&self, uv: Uv) -> Uv {
+        let clamp = |range: &Range, x: f64| if range.periodic { x } else { x.clamp(range.lo, range.hi) };
+        Uv::new(clamp(&self.u, uv.u), clamp(&self.v, uv.v))
+    }
+
     /// Whether `uv` lies in the rectangle.
     pub fn contains(&self, uv: Uv) -> bool {
         self.u.contains(uv.u) && self.v.contains(uv.v)

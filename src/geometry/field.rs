@@ -1,0 +1,67 @@
+//! Scalar fields on a face, whose level lines become passes.
+
+use super::{Face, Jet, Uv};
+use glam::DVec3;
+
+/// A smooth function on a face.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Field {
+    /// The first parameter: its level lines run along v.
+    U,
+    /// The second parameter: its level lines run along u.
+    V,
+    /// The coordinate along a unit vector, mm: its level lines are sections by parallel planes.
+    Along(DVec3),
+}
+
+impl Field {
+    /// The field's value at `uv`, where the face's point is `p`.
+    pub fn value(&self, uv: Uv, p: DVec3) -> f64 {
+        match self {
+            Self::U => uv.u,
+            Self::V => uv.v,
+            Self::Along(d) => d.dot(p),
+        }
+    }
+
+    /// Partial derivatives with respect to u and v.
+    pub fn gradient(&self, jet: &Jet) -> (f64, f64) {
+        match self {
+            Self::U => (1.0, 0.0),
+            Self::V => (0.0, 1.0),
+            Self::Along(d) => (d.dot(jet.du), d.dot(jet.dv)),
+        }
+    }
+
+    /// The tangent vector of steepest rise, per mm; zero or not finite where the field stands still or at a pole.
+    pub fn surface_gradient(&self, jet: &Jet) -> DVec3 {
+        let (gu, gv) = self.gradient(jet);
+        let (e, f, g) = jet.first_form();
+        let det = e * g - f * f;
+        (jet.du * (g * gu - f * gv) + jet.dv * (e * gv - f * gu)) / det
+    }
+
+    /// `uv` moved along the steepest rise onto the level line `level`; `None` where the field stands still or the line
+    /// is not found within a few steps.
+    pub fn onto_level(&self, face: &Face, level: f64, mut uv: Uv) -> Option<Uv> {
+        match self {
+            Self::U => return Some(Uv::new(level, uv.v)),
+            Self::V => return Some(Uv::new(uv.u, level)),
+            Self::Along(_) => {}
+        }
+        let domain = face.domain();
+        for _ in 0..20 {
+            let jet = face.jet(uv);
+            let miss = level - self.value(uv, jet.p);
+            // A nanometre: far below what any program states.
+            if miss.abs() < 1e-9 {
+                return Some(uv);
+            }
+            let rise = self.surface_gradient(&jet);
+            let (du, dv) = jet.pull_back(rise * (miss / rise.length_squared()))?;
+            uv = domain.clamp(Uv::new(uv.u + du, uv.v + dv));
+        }
+        let miss = level - self.value(uv, face.surface.point(uv));
+        (miss.abs() < 1e-6).then_some(uv)
+    }
+}
