@@ -1,5 +1,7 @@
 //! The cutter against a surface at one contact point: where it stands, how it bends away, what it finishes.
 
+mod body;
+mod clearance;
 mod envelope;
 mod half_strip;
 mod place;
@@ -7,6 +9,8 @@ mod relative;
 mod strip_model;
 mod strip_surface;
 
+pub use body::Body;
+pub use clearance::FaceObstacle;
 pub use envelope::Sweep;
 pub use half_strip::HalfStrip;
 pub use place::{axis, center, cl_of, contact_of};

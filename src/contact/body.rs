@@ -1,0 +1,77 @@
+//! The solid of the cutter, and how far a point is from it.
+
+use crate::cutter::Cutter;
+use crate::toolpath::ClPoint;
+use glam::DVec3;
+
+/// A cutter at a location, with its side line running on upwards without end.
+#[derive(Debug, Clone, Copy)]
+pub struct Body {
+    center: DVec3,
+    axis: DVec3,
+    center_radius: f64,
+    corner_radius: f64,
+    bottom: (f64, f64),
+    side: (f64, f64),
+}
+
+impl Body {
+    /// The body of `cutter` at `cl`.
+    pub fn new(cutter: &Cutter, cl: &ClPoint) -> Self {
+        Self {
+            center: cl.tip + cl.axis * cutter.center_height,
+            axis: cl.axis,
+            center_radius: cutter.center_radius,
+            corner_radius: cutter.corner_radius,
+            bottom: libm::sincos(cutter.bottom_angle),
+            side: libm::sincos(cutter.taper),
+        }
+    }
+
+    /// Signed distance of `point` to the cutter's surface, mm, negative inside. Outside it is exact; inside it is at
+    /// most the true depth.
+    ///
+    /// The body is a core (bottom line, centre circle, side line, each moved inwards by `r`) grown by the corner radius.
+    pub fn distance(&self, point: DVec3) -> f64 {
+        let v = point - self.center;
+        let z = v.dot(self.axis);
+        let x = (v - self.axis * z).length() - self.center_radius;
+        let ((sa, ca), (sb, cb)) = (self.bottom, self.side);
+        let (along_bottom, below) = (-x * ca - z * sa, x * sa - z * ca);
+        let (along_side, beside) = (x * sb + z * cb, x * cb - z * sb);
+        let core = match (along_bottom >= 0.0, along_side >= 0.0) {
+            (true, true) => below.max(beside),
+            (true, false) => below,
+            (false, true) => beside,
+            (false, false) => (x * x + z * z).sqrt(),
+        };
+        core - self.corner_radius
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn outline_is_the_zero_of_the_distance() {
+        for cutter in [
+            Cutter::bull_nose(10.0, 2.0, 30.0).unwrap(),
+            Cutter::flat(8.0, 30.0).unwrap(),
+            Cutter::ball(6.0, 30.0).unwrap(),
+            Cutter::new(8.0, 1.0, 0.2, 0.15, 20.0).unwrap(),
+        ] {
+            let axis = DVec3::new(0.3, -0.2, 0.9).normalize();
+            let across = axis.any_orthonormal_vector();
+            let cl = ClPoint { tip: DVec3::new(1.0, 2.0, 3.0), axis };
+            let body = Body::new(&cutter, &cl);
+            for i in 0..=100 {
+                let radius = cutter.largest_radius() * f64::from(i) / 100.0;
+                let z = cutter.height_at(radius).unwrap();
+                let on = cl.tip + across * radius + axis * z;
+                assert!(body.distance(on).abs() < 1e-9, "{cutter:?} {radius}");
+                assert!(body.distance(on - axis * 0.01) > 0.0);
+            }
+        }
+    }
+}

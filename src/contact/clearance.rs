@@ -1,0 +1,173 @@
+//! Whether the whole cutter clears a face that one point of it touches.
+
+use super::body::Body;
+use crate::cutter::Cutter;
+use crate::geometry::{Face, FaceGrid, Uv};
+use crate::toolpath::ClPoint;
+use glam::DVec3;
+
+/// A face as an obstacle: its points on a grid, in two levels of blocks.
+#[derive(Debug, Clone)]
+pub struct FaceObstacle {
+    face: Face,
+    grid: FaceGrid,
+    blocks: Vec<Block>,
+    cell: f64,
+}
+
+/// Nodes of the grid with a ball around them, and the blocks inside.
+#[derive(Debug, Clone)]
+struct Block {
+    center: DVec3,
+    radius: f64,
+    i: (usize, usize),
+    j: (usize, usize),
+    children: Vec<Block>,
+}
+
+/// Nodes a side of a small block, and small blocks a side of a large one: an 8 × 8 × 8 × 8 tree holds a 64 × 64 grid.
+const SIDE: usize = 8;
+
+impl FaceObstacle {
+    /// Samples `face` at most about `cell` mm apart. A feature that a cutter can touch between samples is followed
+    /// down from its nearest sample, so `cell` must only be small against the cutter's corner.
+    pub fn new(face: &Face, cell: f64) -> Self {
+        let grid = FaceGrid::new(face, cell, 16, 1000);
+        let (nu, nv) = grid.size();
+        let blocks = tile((0, nu), (0, nv), SIDE * SIDE)
+            .map(|(i, j)| {
+                let children = tile(i, j, SIDE).map(|(i, j)| Block::new(&grid, i, j, Vec::new())).collect();
+                Block::new(&grid, i, j, children)
+            })
+            .collect();
+        Self { face: face.clone(), grid, blocks, cell }
+    }
+
+    /// How deep the cutter at `cl` reaches into the face beyond the neighbourhood of its contact, mm: 0 or negative.
+    ///
+    /// The neighbourhood is one and a half cells around `contact`; there the strip tells (see
+    /// [`super::face_strip`]). Depths are found to about a hundredth of the cell's own sag.
+    pub fn depth(&self, cutter: &Cutter, cl: &ClPoint, contact: DVec3) -> f64 {
+        let body = Body::new(cutter, cl);
+        // Between samples the face may come nearer than at any of them by the sag of a cell against the corner.
+        let margin = 0.125 * self.cell * self.cell * (1.0 / cutter.corner_radius.max(0.1) + 0.1) * 2.0;
+        let mut deepest = 0.0f64;
+        let mut open: Vec<&Block> = self.blocks.iter().collect();
+        while let Some(block) = open.pop() {
+            if body.distance(block.center) - block.radius > margin {
+                continue;
+            }
+            if !block.children.is_empty() {
+                open.extend(&block.children);
+                continue;
+            }
+            for j in block.j.0..block.j.1 {
+                for i in block.i.0..block.i.1 {
+                    let point = self.grid.point(i, j);
+                    let here = body.distance(point);
+                    let near = point.distance_squared(contact) < 2.25 * self.cell * self.cell;
+                    if here < margin && !near && self.is_lowest(&body, i, j, here) {
+                        deepest = deepest.min(self.descend(&body, i, j, here, contact));
+                    }
+                }
+            }
+        }
+        deepest
+    }
+
+    /// Whether no neighbour of the node is nearer to the cutter.
+    fn is_lowest(&self, body: &Body, i: usize, j: usize, here: f64) -> bool {
+        let (nu, nv) = self.grid.size();
+        let around = |k: usize, n: usize| k.saturating_sub(1)..(k + 2).min(n);
+        around(j, nv).all(|b| around(i, nu).all(|a| body.distance(self.grid.point(a, b)) >= here))
+    }
+
+    /// The least distance near the node, by a pattern search in the parameters.
+    fn descend(&self, body: &Body, i: usize, j: usize, here: f64, contact: DVec3) -> f64 {
+        let (nu, nv) = self.grid.size();
+        let domain = self.face.domain();
+        let (low, high) = (
+            self.grid.uv(i.saturating_sub(1), j.saturating_sub(1)),
+            self.grid.uv((i + 1).min(nu - 1), (j + 1).min(nv - 1)),
+        );
+        let mut step = Uv::new(0.5 * (high.u - low.u), 0.5 * (high.v - low.v));
+        let (mut at, mut best) = (self.grid.uv(i, j), here);
+        // Ten halvings shrink a cell a thousandfold; the distance errs by the square of what is left.
+        for _ in 0..10 {
+            for (a, b) in [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)] {
+                let uv = domain.clamp(Uv::new(at.u + a * step.u, at.v + b * step.v));
+                let distance = body.distance(self.face.surface.point(uv));
+                if distance < best {
+                    (at, best) = (uv, distance);
+                }
+            }
+            step = Uv::new(0.5 * step.u, 0.5 * step.v);
+        }
+        // What slid back to the contact is the contact.
+        let end = self.face.surface.point(at);
+        if end.distance_squared(contact) < self.cell * self.cell { 0.0 } else { best }
+    }
+}
+
+impl Block {
+    fn new(grid: &FaceGrid, i: (usize, usize), j: (usize, usize), children: Vec<Block>) -> Self {
+        let points = || (j.0..j.1).flat_map(|b| (i.0..i.1).map(move |a| grid.point(a, b)));
+        let (low, high) = points()
+            .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(lo, hi): (DVec3, DVec3), p| {
+                (lo.min(p), hi.max(p))
+            });
+        let center = 0.5 * (low + high);
+        let radius = points().map(|p| p.distance(center)).fold(0.0, f64::max);
+        Self { center, radius, i, j, children }
+    }
+}
+
+/// The rectangles of at most `side` by `side` nodes that tile the given one.
+fn tile(
+    i: (usize, usize),
+    j: (usize, usize),
+    side: usize,
+) -> impl Iterator<Item = ((usize, usize), (usize, usize))> {
+    (j.0..j.1).step_by(side).flat_map(move |b| {
+        (i.0..i.1).step_by(side).map(move |a| ((a, (a + side).min(i.1)), (b, (b + side).min(j.1))))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::cl_of;
+    use crate::geometry::{Cylinder, Side};
+    use crate::math::frame::Frame;
+    use crate::toolpath::{CcPoint, Posture};
+
+    /// A cutter inside a trough of `radius`, feed along it, with `lead` degrees.
+    fn depth_in_trough(radius: f64, lead: f64, yaw: f64) -> f64 {
+        let world = Frame { f: DVec3::X, b: DVec3::Y, n: DVec3::Z };
+        let trough = Cylinder::new(DVec3::ZERO, world, radius, [-1.2, 1.2], [-40.0, 40.0]).unwrap();
+        let face = Face::new(trough, Side::Back);
+        let (jet, n) = face.at(Uv::new(0.05, 1.0)).unwrap();
+        let frame = Frame::from_normal(n, DVec3::Z).unwrap();
+        let posture = Posture { lead: lead.to_radians(), yaw: yaw.to_radians() };
+        let cutter = Cutter::bull_nose(16.0, 2.0, 50.0).unwrap();
+        let cc = CcPoint { point: jet.p, frame, posture };
+        FaceObstacle::new(&face, 0.7).depth(&cutter, &cl_of(&cutter, &cc), jet.p)
+    }
+
+    #[test]
+    fn upright_disc_in_a_trough_digs_in_with_both_sides() {
+        // Flat on the bottom the rim of the disc (R1 = 6, r = 2) lies below the trough of radius 50: the tube's
+        // circle touches at a distance of 50 − 2 from the axis where the disc's rim is √((48)² …) away from it.
+        let depth = depth_in_trough(50.0, 0.0, 90.0);
+        // Contact is taken on the rim; the far rim, 12 mm across, sinks by the sag of that chord.
+        let chord: f64 = 12.0;
+        let far = libm::hypot(chord, 48.0) + 2.0 - 50.0;
+        assert!((depth + far).abs() < 1e-3, "{depth} {far}");
+    }
+
+    #[test]
+    fn enough_lead_clears() {
+        assert_eq!(depth_in_trough(50.0, 20.0, 0.0), 0.0);
+        assert!(depth_in_trough(50.0, 2.0, 0.0) < -0.01);
+    }
+}
