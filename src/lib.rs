@@ -36,4 +36,5 @@ pub mod cutter;
 pub mod geometry;
 pub mod math;
 pub mod monitor;
+pub mod strategy;
 pub mod toolpath;

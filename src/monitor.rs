@@ -35,12 +35,13 @@ pub struct Stage<'a> {
     phase: &'static str,
     from: f64,
     to: f64,
+    reports: bool,
 }
 
 impl<'a> Stage<'a> {
     /// The whole of a computation, from 0 to 1, on `workers` threads (wasm always uses one).
     pub fn whole(monitor: &'a dyn Monitor, workers: NonZeroUsize) -> Self {
-        Self { monitor, workers, phase: "", from: 0.0, to: 1.0 }
+        Self { monitor, workers, phase: "", from: 0.0, to: 1.0, reports: true }
     }
 
     /// A whole computation that nobody watches, on one thread.
@@ -55,12 +56,21 @@ impl<'a> Stage<'a> {
         Self { phase, from: at(from), to: at(to), ..*self }
     }
 
+    /// This stage without reports: for a step too small to be seen, which can still be cancelled.
+    #[must_use]
+    pub fn quiet(&self) -> Self {
+        Self { reports: false, ..*self }
+    }
+
     /// Reports that `fraction` of this stage is done and returns [`Cancelled`] if the computation shall stop.
     pub fn at(&self, fraction: f64) -> Result<(), Cancelled> {
         if self.monitor.is_cancelled() {
             return Err(Cancelled);
         }
-        self.monitor.progress(self.phase, self.from + (self.to - self.from) * fraction.clamp(0.0, 1.0));
+        if self.reports {
+            let done = self.from + (self.to - self.from) * fraction.clamp(0.0, 1.0);
+            self.monitor.progress(self.phase, done);
+        }
         Ok(())
     }
 

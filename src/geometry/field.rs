@@ -1,6 +1,7 @@
 //! Scalar fields on a face, whose level lines become passes.
 
 use super::{Face, Jet, Uv};
+use crate::math::frame::Frame;
 use glam::DVec3;
 
 /// A smooth function on a face.
@@ -39,6 +40,19 @@ impl Field {
         let (e, f, g) = jet.first_form();
         let det = e * g - f * f;
         (jet.du * (g * gu - f * gv) + jet.dv * (e * gv - f * gu)) / det
+    }
+
+    /// Geodesic curvature of the level line through `jet`, 1/mm, positive where it bends towards the frame's `b`; the
+    /// frame's `f` must be tangent to the line, and `feed_curvature` the normal curvature along it.
+    ///
+    /// Not finite where a plane of the family touches the face.
+    pub fn geodesic_curvature(&self, jet: &Jet, frame: &Frame, feed_curvature: f64) -> f64 {
+        match self {
+            Self::U => jet.dvv.dot(frame.b) / jet.dv.length_squared(),
+            Self::V => jet.duu.dot(frame.b) / jet.du.length_squared(),
+            // The line's curvature vector lies in the plane, square to f; its part along n is the normal curvature.
+            Self::Along(d) => -feed_curvature * d.dot(frame.n) / d.dot(frame.b),
+        }
     }
 
     /// `uv` moved along the steepest rise onto the level line `level`; `None` where the field stands still or the line

@@ -1,0 +1,52 @@
+//! What every strategy is asked for, and what it gives.
+
+use crate::geometry::Zone;
+use crate::monitor::Cancelled;
+use crate::toolpath::Pass;
+
+/// What a finishing path has to keep.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Finish {
+    /// Highest cusp left, mm, above 0.
+    pub scallop: f64,
+    /// How far the straight moves between stations may stray from the surface, to either side, mm.
+    pub chord: f64,
+}
+
+/// Which way neighbouring passes run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Order {
+    /// All in one direction.
+    Zig,
+    /// Every other one back.
+    #[default]
+    ZigZag,
+}
+
+/// What a strategy gives.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Planned {
+    /// Passes in the order in which they are cut.
+    pub passes: Vec<Pass>,
+    /// Where the cutter cannot go in the posture asked for.
+    pub unreached: Zone,
+}
+
+/// Why there is no path.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum StrategyError {
+    /// Told to stop.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+    /// The cutter gouges wherever it is put.
+    #[error("the cutter fits nowhere on this surface: {0}")]
+    FitsNowhere(String),
+    /// More passes than any machine would run.
+    #[error("more than {most} passes would be needed: {why}")]
+    TooMany {
+        /// The limit.
+        most: usize,
+        /// What to change.
+        why: String,
+    },
+}

@@ -1,0 +1,38 @@
+//! Passes along the lines of one parameter.
+
+use super::family::Family;
+use super::{Finish, Order, Planned, StrategyError};
+use crate::cutter::Cutter;
+use crate::geometry::{Face, Field};
+use crate::monitor::Stage;
+use crate::toolpath::Posture;
+
+/// The parameter that runs along a pass.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Along {
+    /// Passes follow u, at steps of v.
+    #[default]
+    U,
+    /// Passes follow v, at steps of u.
+    V,
+}
+
+/// Passes along lines of one parameter of `face`, the axis held at `posture` in every contact frame.
+///
+/// Each pass lies as far from the last as lets their strips meet everywhere, so the spacing of a whole pass follows its
+/// worst point. On a periodic face the last pass meets the first.
+pub fn iso_parametric(
+    face: &Face,
+    cutter: &Cutter,
+    along: Along,
+    posture: Posture,
+    finish: Finish,
+    order: Order,
+    stage: &Stage,
+) -> Result<Planned, StrategyError> {
+    let fields = match along {
+        Along::U => (Field::V, Field::U),
+        Along::V => (Field::U, Field::V),
+    };
+    Family::new(face, cutter, posture, finish, fields, order).plan(stage)
+}

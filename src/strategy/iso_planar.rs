@@ -1,0 +1,50 @@
+//! Passes along parallel plane sections.
+
+use super::family::Family;
+use super::{Finish, Order, Planned, StrategyError};
+use crate::cutter::Cutter;
+use crate::geometry::{Face, FaceGrid, Field};
+use crate::math::frame::Frame;
+use crate::monitor::Stage;
+use crate::toolpath::Posture;
+use glam::DVec3;
+
+/// Passes along sections of `face` by parallel planes that hold the face's mean normal, turned about it by `angle`
+/// (radians; 0 is along the x axis as seen along the mean normal), the axis held at `posture` in every contact frame.
+///
+/// Each pass lies as far from the last as lets their strips meet everywhere.
+pub fn iso_planar(
+    face: &Face,
+    cutter: &Cutter,
+    angle: f64,
+    posture: Posture,
+    finish: Finish,
+    order: Order,
+    stage: &Stage,
+) -> Result<Planned, StrategyError> {
+    let up = mean_normal(face);
+    let flat = Frame::from_normal(up, DVec3::X).unwrap_or_else(|| Frame::any(up));
+    let (s, c) = libm::sincos(angle);
+    let along = flat.f * c + flat.b * s;
+    let fields = (Field::Along(up.cross(along)), Field::Along(along));
+    Family::new(face, cutter, posture, finish, fields, order).plan(stage)
+}
+
+/// The unit mean of the face's normals, weighted by area; `+z` for a face that closes on itself and has none.
+fn mean_normal(face: &Face) -> DVec3 {
+    // The direction only fixes the planes, so a coarse sum does.
+    let grid = FaceGrid::new(face, f64::INFINITY, 64, 64);
+    let (nu, nv) = grid.size();
+    let mut sum = DVec3::ZERO;
+    for j in 0..nv - 1 {
+        for i in 0..nu - 1 {
+            let a = grid.uv(i, j);
+            let b = grid.uv(i + 1, j + 1);
+            let middle = crate::geometry::Uv::new(0.5 * (a.u + b.u), 0.5 * (a.v + b.v));
+            if let Some((_, n)) = face.at(middle) {
+                sum += n * grid.cell_area(i, j);
+            }
+        }
+    }
+    sum.try_normalize().unwrap_or(DVec3::Z)
+}

@@ -1,0 +1,151 @@
+//! From passes to one motion: lifting, crossing and coming down between them.
+
+use crate::cutter::Cutter;
+use crate::toolpath::{ClPoint, Move, Pass, Rate, Role, Toolpath};
+use glam::DVec3;
+
+/// How passes are joined.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Linking {
+    /// Feed along passes, mm/min.
+    pub cut_feed: f64,
+    /// Feed of the last stretch down to a pass, mm/min.
+    pub plunge_feed: f64,
+    /// How far the cutter lifts along its axis before it crosses to the next pass, mm.
+    pub lift: f64,
+    /// How far beyond everything it stays when it crosses in rapid, mm.
+    pub clearance: f64,
+}
+
+/// The part as an obstacle for links: whether the cutter at a location stays clear of it.
+pub type IsClear<'a> = dyn Fn(&ClPoint) -> bool + Sync + 'a;
+
+/// Points at which a crossing is looked at.
+const LOOKS: usize = 16;
+/// Moves of a crossing around the part.
+const ARC: usize = 24;
+
+/// The motion along `passes` in their order.
+///
+/// Between two passes the cutter lifts along its axis, crosses straight to above the next pass and comes down at
+/// plunge feed, if `is_clear` holds all along; otherwise it retracts along its axis out of the ball around the part
+/// (`bounds`, lowest and highest coordinates), goes round on the ball in rapid, and comes back in along the axis.
+pub fn link(
+    passes: &[Pass],
+    cutter: &Cutter,
+    bounds: (DVec3, DVec3),
+    how: &Linking,
+    is_clear: &IsClear,
+) -> Toolpath {
+    let center = 0.5 * (bounds.0 + bounds.1);
+    let ball = Ball {
+        center,
+        // Cutter locations outside this ball keep the whole cutter off the part: the disc hangs at most a radius below.
+        radius: 0.5 * bounds.0.distance(bounds.1) + 2.0 * cutter.largest_radius() + how.clearance,
+    };
+    let mut linker = Linker { how, ball, moves: Vec::new() };
+    for pass in passes {
+        let (Some(first), Some(_)) = (pass.stations.first(), pass.stations.last()) else { continue };
+        match linker.moves.last().map(|m| m.to) {
+            None => linker.approach(first.cl),
+            Some(from) => linker.cross(from, first.cl, is_clear),
+        }
+        for station in &pass.stations[1..] {
+            linker.push(station.cl, Rate::Feed(how.cut_feed), Role::Cut);
+        }
+    }
+    if let Some(last) = linker.moves.last().map(|m| m.to) {
+        let out = linker.ball.exit(last);
+        linker.push(out, Rate::Rapid, Role::Link);
+    }
+    Toolpath { moves: linker.moves }
+}
+
+/// A ball that holds the part and the cutter beside it.
+struct Ball {
+    center: DVec3,
+    radius: f64,
+}
+
+impl Ball {
+    /// Where the cutter leaves the ball, retracting from `cl` along its axis.
+    fn exit(&self, cl: ClPoint) -> ClPoint {
+        let v = cl.tip - self.center;
+        let along = v.dot(cl.axis);
+        let beyond = self.radius * self.radius - v.length_squared();
+        let way = (-along + (along * along + beyond).max(0.0).sqrt()).max(0.0);
+        ClPoint { tip: cl.tip + cl.axis * way, axis: cl.axis }
+    }
+
+    /// Locations on the way round from `a` to `b`, both on the ball, `b` included.
+    fn around(&self, a: ClPoint, b: ClPoint) -> Vec<ClPoint> {
+        let (from, to) = (a.tip - self.center, b.tip - self.center);
+        let angle = from.angle_between(to);
+        let square = (to - from * (to.dot(from) / from.length_squared()))
+            .try_normalize()
+            .unwrap_or_else(|| from.normalize_or_zero().any_orthonormal_vector());
+        let steps = ((angle / 0.2).ceil() as usize).clamp(1, ARC);
+        // Chords of the arc dip below it; its radius is raised so that they do not.
+        let raise = 1.0 / libm::cos(0.5 * angle / steps as f64);
+        let mut way: Vec<ClPoint> = (1..steps)
+            .map(|k| {
+                let t = k as f64 / steps as f64;
+                let (s, c) = libm::sincos(angle * t);
+                let tip = self.center + (from * c + square * (from.length() * s)) * raise;
+                let axis = a.axis.lerp(b.axis, t).try_normalize().unwrap_or(a.axis);
+                ClPoint { tip, axis }
+            })
+            .collect();
+        way.push(b);
+        way
+    }
+}
+
+struct Linker<'a> {
+    how: &'a Linking,
+    ball: Ball,
+    moves: Vec<Move>,
+}
+
+impl Linker<'_> {
+    fn push(&mut self, to: ClPoint, rate: Rate, role: Role) {
+        if self.moves.last().is_none_or(|last| last.to != to) {
+            self.moves.push(Move { to, rate, role });
+        }
+    }
+
+    /// Comes in from outside the ball.
+    fn approach(&mut self, to: ClPoint) {
+        self.push(self.ball.exit(to), Rate::Rapid, Role::Link);
+        self.push(raised(to, self.how.lift), Rate::Rapid, Role::Link);
+        self.push(to, Rate::Feed(self.how.plunge_feed), Role::Link);
+    }
+
+    fn cross(&mut self, from: ClPoint, to: ClPoint, is_clear: &IsClear) {
+        let (above, over) = (raised(from, self.how.lift), raised(to, self.how.lift));
+        // A long way is faster in rapid around the part than at feed over it.
+        let near = above.tip.distance(over.tip) < 10.0 * self.how.lift;
+        let clear = |k: usize| is_clear(&between(above, over, k as f64 / LOOKS as f64));
+        if near && (0..=LOOKS).all(clear) {
+            self.push(above, Rate::Feed(self.how.cut_feed), Role::Link);
+            self.push(over, Rate::Feed(self.how.cut_feed), Role::Link);
+            self.push(to, Rate::Feed(self.how.plunge_feed), Role::Link);
+            return;
+        }
+        let (out, back) = (self.ball.exit(from), self.ball.exit(to));
+        self.push(out, Rate::Rapid, Role::Link);
+        for location in self.ball.around(out, back) {
+            self.push(location, Rate::Rapid, Role::Link);
+        }
+        self.push(over, Rate::Rapid, Role::Link);
+        self.push(to, Rate::Feed(self.how.plunge_feed), Role::Link);
+    }
+}
+
+fn raised(cl: ClPoint, by: f64) -> ClPoint {
+    ClPoint { tip: cl.tip + cl.axis * by, axis: cl.axis }
+}
+
+fn between(a: ClPoint, b: ClPoint, t: f64) -> ClPoint {
+    ClPoint { tip: a.tip.lerp(b.tip, t), axis: a.axis.lerp(b.axis, t).try_normalize().unwrap_or(a.axis) }
+}

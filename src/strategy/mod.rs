@@ -1,0 +1,15 @@
+//! From a surface and a cutter to ordered passes that leave no cusp above the limit.
+
+mod family;
+mod finish;
+mod iso_parametric;
+mod iso_planar;
+mod link;
+mod probe;
+mod spacing;
+mod walk;
+
+pub use finish::{Finish, Order, Planned, StrategyError};
+pub use iso_parametric::{Along, iso_parametric};
+pub use iso_planar::iso_planar;
+pub use link::{IsClear, Linking, link};

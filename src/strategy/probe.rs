@@ -1,0 +1,121 @@
+//! Contact and strip at the points of a level line.
+
+use super::Finish;
+use crate::contact::{Edge, FaceObstacle, FaceStrip, StripLimits, cl_of, face_strip};
+use crate::cutter::Cutter;
+use crate::geometry::{Curvature, Face, Field, IsoLine, Jet, Uv};
+use crate::math::frame::Frame;
+use crate::toolpath::{CcPoint, Posture, Station};
+use glam::DVec3;
+
+/// Everything that decides what the cutter does at a point of a family of level lines.
+#[derive(Debug)]
+pub(super) struct Setup<'a> {
+    pub(super) face: &'a Face,
+    pub(super) obstacle: FaceObstacle,
+    pub(super) cutter: &'a Cutter,
+    pub(super) posture: Posture,
+    pub(super) finish: Finish,
+    /// Passes are its level lines.
+    pub(super) field: Field,
+    /// Tells which points of neighbouring passes lie abreast.
+    pub(super) column: Field,
+}
+
+/// How deep the cutter may reach into the face before a contact counts as blocked, mm: half of the micrometre that a
+/// path may gouge, so that the chords between stations have the other half.
+pub(super) const GOUGE: f64 = 0.0005;
+
+/// How far a strip reaches to one side.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Reach {
+    /// To this level and column of the family, at this point.
+    To { level: f64, column: f64, point: DVec3 },
+    /// Over the border of the face.
+    Border,
+}
+
+/// What the cutter does at one point of a level line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Probe {
+    /// It finishes a strip: how far towards higher and lower levels.
+    Strip { up: Reach, down: Reach },
+    /// It cannot go there.
+    Blocked,
+}
+
+impl Setup<'_> {
+    /// The frame at `uv` with feed along the level line, higher levels to the left, or to the right if `reversed`;
+    /// `None` where the field stands still or the face has no normal.
+    pub(super) fn frame(&self, uv: Uv, reversed: bool) -> Option<(Jet, Frame)> {
+        let (jet, n) = self.face.at(uv)?;
+        let rise = self.field.surface_gradient(&jet);
+        let feed = rise.cross(n) * if reversed { -1.0 } else { 1.0 };
+        let frame = Frame::from_normal(n, feed)?;
+        (frame.f.is_finite() && frame.b.is_finite()).then_some((jet, frame))
+    }
+
+    /// The station at `uv`, clear or not.
+    pub(super) fn station(&self, uv: Uv, reversed: bool) -> Option<Station> {
+        let (jet, frame) = self.frame(uv, reversed)?;
+        let cc = CcPoint { point: jet.p, frame, posture: self.posture };
+        Some(Station { cc, cl: cl_of(self.cutter, &cc) })
+    }
+
+    /// Whether the cutter at `station` reaches into the face nowhere.
+    pub(super) fn is_clear(&self, station: &Station) -> bool {
+        self.obstacle.depth(self.cutter, &station.cl, station.cc.point) >= -GOUGE
+    }
+
+    /// The strip at `uv` on a level line; `None` where the cutter cannot go.
+    pub(super) fn strip(&self, uv: Uv, reversed: bool) -> Option<FaceStrip> {
+        let (jet, frame) = self.frame(uv, reversed)?;
+        let k = Curvature::of(&jet, &frame)?;
+        let geodesic = self.field.geodesic_curvature(&jet, &frame, k.ff);
+        let geodesic = if geodesic.is_finite() { geodesic } else { 0.0 };
+        let spin = frame.f * k.fb - frame.b * k.ff + frame.n * geodesic;
+        let cc = CcPoint { point: jet.p, frame, posture: self.posture };
+        // Chords over a hollow run above the path by up to the chord tolerance, and the cusps with them.
+        let lift = if k.ff > 0.0 { self.finish.chord } else { 0.0 };
+        let limits = StripLimits { scallop: self.finish.scallop - lift, gouge: GOUGE };
+        let strip = face_strip(self.face, self.cutter, &cc, uv, spin, limits)?;
+        let gouges = matches!(strip.left, Edge::Gouge(_)) || matches!(strip.right, Edge::Gouge(_));
+        let station = Station { cc, cl: cl_of(self.cutter, &cc) };
+        (!gouges && self.is_clear(&station)).then_some(strip)
+    }
+
+    /// What the cutter does at `uv`.
+    pub(super) fn probe(&self, uv: Uv, reversed: bool) -> Probe {
+        let Some(strip) = self.strip(uv, reversed) else { return Probe::Blocked };
+        let (up, down) = if reversed { (strip.right, strip.left) } else { (strip.left, strip.right) };
+        match (self.reach(up), self.reach(down)) {
+            (Some(up), Some(down)) => Probe::Strip { up, down },
+            _ => Probe::Blocked,
+        }
+    }
+
+    fn reach(&self, edge: Edge) -> Option<Reach> {
+        match edge {
+            Edge::Reached(uv) => {
+                let point = self.face.surface.point(uv);
+                let (level, column) = (self.field.value(uv, point), self.column.value(uv, point));
+                Some(Reach::To { level, column, point })
+            }
+            Edge::Border(_) => Some(Reach::Border),
+            Edge::Gouge(_) => None,
+        }
+    }
+
+    /// The nodes of `line` in the order of feed.
+    pub(super) fn in_feed_order(&self, line: &IsoLine, reversed: bool) -> Vec<Uv> {
+        let mut nodes = line.nodes.clone();
+        let point = |uv: Uv| self.face.surface.point(uv);
+        let middle = nodes.len() / 2;
+        let along = point(nodes[middle]) - point(nodes[middle - 1]);
+        let against = self.frame(nodes[middle], reversed).is_some_and(|(_, frame)| frame.f.dot(along) < 0.0);
+        if against {
+            nodes.reverse();
+        }
+        nodes
+    }
+}
