@@ -3,21 +3,11 @@
 use super::family::Family;
 use super::{Finish, Order, Planned, StrategyError};
 use crate::cutter::Cutter;
-use crate::geometry::{Face, Field};
+use crate::geometry::{Along, Face, Field};
 use crate::monitor::Stage;
 use crate::toolpath::Posture;
 
-/// The parameter that runs along a pass.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Along {
-    /// Passes follow u, at steps of v.
-    #[default]
-    U,
-    /// Passes follow v, at steps of u.
-    V,
-}
-
-/// Passes along lines of one parameter of `face`, the axis held at `posture` in every contact frame.
+/// Passes of `face` that run along the parameter `along` at steps of the other, the axis held at `posture` in every contact frame.
 ///
 /// Each pass lies as far from the last as lets their strips meet everywhere, so the spacing of a whole pass follows its
 /// worst point. On a periodic face the last pass meets the first.

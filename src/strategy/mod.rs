@@ -10,6 +10,6 @@ mod spacing;
 mod walk;
 
 pub use finish::{Finish, Order, Planned, StrategyError};
-pub use iso_parametric::{Along, iso_parametric};
+pub use iso_parametric::iso_parametric;
 pub use iso_planar::iso_planar;
 pub use link::{IsClear, Linking, link};
