@@ -249,8 +249,9 @@ impl<'a> Family<'a> {
 
     /// Where the cutter cannot go on the lines of this family.
     fn unreached(&self, stage: &Stage) -> Result<Zone, Cancelled> {
-        let cell = 0.5 * obstacle_cell(self.setup.cutter);
-        let grid = FaceGrid::new(self.setup.face, cell, 24, 400);
+        let Setup { face, cutter, posture, finish, .. } = &self.setup;
+        let cell = probe_spacing(cutter, *posture, finish);
+        let grid = FaceGrid::new(face, cell, 24, 400);
         let (nu, nv) = grid.size();
         let rows = stage.map(nv, |j| {
             (0..nu)
@@ -258,7 +259,7 @@ impl<'a> Family<'a> {
                 .map(|i| (grid.point(i, j), node_area(&grid, i, j)))
                 .collect::<Vec<_>>()
         })?;
-        Ok(Zone::from_samples(2.0 * cell, rows.into_iter().flatten()))
+        Ok(Zone::from_samples(1.5 * cell, rows.into_iter().flatten()))
     }
 }
 

@@ -25,6 +25,15 @@ const LOOKS: usize = 16;
 /// Moves of a crossing around the part.
 const ARC: usize = 24;
 
+/// A motion with the point where each of its moves ends touching the part.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Linked {
+    /// The motion.
+    pub toolpath: Toolpath,
+    /// For every move where the cutter touches at its end, or its tip where it touches nothing; for drawing.
+    pub contacts: Vec<DVec3>,
+}
+
 /// The motion along `passes` in their order.
 ///
 /// Between two passes the cutter lifts along its axis, crosses straight to above the next pass and comes down at
@@ -36,29 +45,31 @@ pub fn link(
     bounds: (DVec3, DVec3),
     how: &Linking,
     is_clear: &IsClear,
-) -> Toolpath {
+) -> Linked {
     let center = 0.5 * (bounds.0 + bounds.1);
     let ball = Ball {
         center,
         // Cutter locations outside this ball keep the whole cutter off the part: the disc hangs at most a radius below.
         radius: 0.5 * bounds.0.distance(bounds.1) + 2.0 * cutter.largest_radius() + how.clearance,
     };
-    let mut linker = Linker { how, ball, moves: Vec::new() };
+    let mut linker = Linker { how, ball, linked: Linked::default() };
     for pass in passes {
         let (Some(first), Some(_)) = (pass.stations.first(), pass.stations.last()) else { continue };
-        match linker.moves.last().map(|m| m.to) {
+        match linker.last() {
             None => linker.approach(first.cl),
             Some(from) => linker.cross(from, first.cl, is_clear),
         }
+        linker.touch(first.cc.point);
         for station in &pass.stations[1..] {
             linker.push(station.cl, Rate::Feed(how.cut_feed), Role::Cut);
+            linker.touch(station.cc.point);
         }
     }
-    if let Some(last) = linker.moves.last().map(|m| m.to) {
+    if let Some(last) = linker.last() {
         let out = linker.ball.exit(last);
         linker.push(out, Rate::Rapid, Role::Link);
     }
-    Toolpath { moves: linker.moves }
+    linker.linked
 }
 
 /// A ball that holds the part and the cutter beside it.
@@ -104,13 +115,25 @@ impl Ball {
 struct Linker<'a> {
     how: &'a Linking,
     ball: Ball,
-    moves: Vec<Move>,
+    linked: Linked,
 }
 
 impl Linker<'_> {
     fn push(&mut self, to: ClPoint, rate: Rate, role: Role) {
-        if self.moves.last().is_none_or(|last| last.to != to) {
-            self.moves.push(Move { to, rate, role });
+        if self.last().is_none_or(|last| last != to) {
+            self.linked.toolpath.moves.push(Move { to, rate, role });
+            self.linked.contacts.push(to.tip);
+        }
+    }
+
+    fn last(&self) -> Option<ClPoint> {
+        self.linked.toolpath.moves.last().map(|m| m.to)
+    }
+
+    /// Says that the last move ended touching `point`.
+    fn touch(&mut self, point: DVec3) {
+        if let Some(last) = self.linked.contacts.last_mut() {
+            *last = point;
         }
     }
 

@@ -41,14 +41,19 @@ struct Walker<'a> {
 }
 
 impl Walker<'_> {
-    /// The station at `t` (node number and fraction to the next); `None` where the face has no frame.
+    /// The station at `t` (node number and fraction to the next) and whether the cutter clears the face there; `None`
+    /// where the face has no frame.
     fn at(&self, t: f64) -> Option<At> {
+        let station = self.station(t)?;
+        Some(At { station, clear: self.setup.is_clear(&station) })
+    }
+
+    fn station(&self, t: f64) -> Option<Station> {
         let i = (t.floor() as usize).min(self.nodes.len() - 2);
         let (a, b, s) = (self.nodes[i], self.nodes[i + 1], t - i as f64);
         let uv = Uv::new(a.u + (b.u - a.u) * s, a.v + (b.v - a.v) * s);
         let uv = self.setup.field.onto_level(self.setup.face, self.level, uv)?;
-        let station = self.setup.station(uv, self.reversed)?;
-        Some(At { station, clear: self.setup.is_clear(&station) })
+        self.setup.station(uv, self.reversed)
     }
 
     /// Appends the stations after `a` up to and including `b`.
@@ -85,9 +90,8 @@ impl Walker<'_> {
         let low = -(self.setup.finish.chord.min(GOUGE));
         let high = self.setup.finish.chord;
         [0.5, 0.25, 0.75].iter().all(|&s| {
-            let Some(m) = self.at(ta + (tb - ta) * s) else { return false };
-            let rise = lift(self, &a.station.cl, &b.station.cl, s, &m.station);
-            m.clear && (low..=high).contains(&rise)
+            let Some(m) = self.station(ta + (tb - ta) * s) else { return false };
+            (low..=high).contains(&lift(self, &a.station.cl, &b.station.cl, s, &m))
         })
     }
 
