@@ -1,0 +1,155 @@
+//! Every setting of a specification in one table: unit, range and default. Validation, the schema for forms, and the
+//! defaults of what a specification leaves out all read it.
+
+/// One setting.
+#[derive(Debug, Clone, Copy)]
+pub struct Field {
+    /// Its key in the specification.
+    pub name: &'static str,
+    /// What it holds.
+    pub kind: Kind,
+}
+
+/// What a setting holds.
+#[derive(Debug, Clone, Copy)]
+pub enum Kind {
+    /// A number from `min` to `max`.
+    Number {
+        /// Unit, as a person reads it.
+        unit: &'static str,
+        /// Least value.
+        min: f64,
+        /// Largest value.
+        max: f64,
+        /// A step that a form offers.
+        step: f64,
+        /// Used where the specification says nothing.
+        default: f64,
+    },
+    /// One of a few words.
+    Choice {
+        /// The words.
+        options: &'static [&'static str],
+        /// Used where the specification says nothing.
+        default: &'static str,
+    },
+    /// Yes or no; the default.
+    Flag(bool),
+}
+
+/// One form of an object with a `kind` key.
+#[derive(Debug, Clone, Copy)]
+pub struct Variant {
+    /// The value of `kind`.
+    pub kind: &'static str,
+    /// The shapes that it fits: `surface`, `mesh`; empty for all.
+    pub shapes: &'static [&'static str],
+    /// Its own settings.
+    pub fields: &'static [Field],
+}
+
+/// One object of the specification.
+#[derive(Debug, Clone, Copy)]
+pub struct Group {
+    /// Its key in the specification.
+    pub path: &'static str,
+    /// Its forms, the first being the default; empty where it has no `kind`.
+    pub variants: &'static [Variant],
+    /// Settings that all forms share.
+    pub fields: &'static [Field],
+}
+
+const fn number(name: &'static str, unit: &'static str, range: [f64; 2], step: f64, default: f64) -> Field {
+    Field { name, kind: Kind::Number { unit, min: range[0], max: range[1], step, default } }
+}
+
+const fn choice(name: &'static str, options: &'static [&'static str], default: &'static str) -> Field {
+    Field { name, kind: Kind::Choice { options, default } }
+}
+
+const DIAMETER: Field = number("diameter_mm", "mm", [0.1, 200.0], 0.5, 10.0);
+const CORNER: Field = number("corner_radius_mm", "mm", [0.0, 100.0], 0.1, 2.0);
+const HEIGHT: Field = number("height_mm", "mm", [0.1, 500.0], 1.0, 40.0);
+
+/// Lead: the paper of 2013 and common practice keep a few degrees so that the flat bottom does not drag.
+const LEAD: Field = number("lead_deg", "°", [0.0, 80.0], 0.5, 8.0);
+const YAW: Field = number("yaw_deg", "°", [-180.0, 180.0], 1.0, 0.0);
+const ORDER: Field = choice("order", &["zigzag", "zig"], "zigzag");
+
+/// The objects of a specification in the order in which a form shows them.
+pub const GROUPS: &[Group] = &[
+    Group {
+        path: "cutter",
+        variants: &[
+            Variant { kind: "bull_nose", shapes: &[], fields: &[DIAMETER, CORNER, HEIGHT] },
+            Variant { kind: "ball", shapes: &[], fields: &[DIAMETER, HEIGHT] },
+            Variant { kind: "flat", shapes: &[], fields: &[DIAMETER, HEIGHT] },
+            Variant {
+                kind: "tapered",
+                shapes: &[],
+                fields: &[DIAMETER, CORNER, number("taper_deg", "°", [-45.0, 60.0], 0.5, 5.0), HEIGHT],
+            },
+            Variant {
+                kind: "conical",
+                shapes: &[],
+                fields: &[DIAMETER, CORNER, number("bottom_deg", "°", [0.0, 80.0], 0.5, 10.0), HEIGHT],
+            },
+        ],
+        fields: &[],
+    },
+    Group {
+        path: "strategy",
+        variants: &[
+            Variant {
+                kind: "iso_parametric",
+                shapes: &["surface"],
+                fields: &[choice("along", &["u", "v"], "u"), LEAD, YAW, ORDER],
+            },
+            Variant {
+                kind: "iso_planar",
+                shapes: &["surface"],
+                fields: &[number("angle_deg", "°", [-180.0, 180.0], 5.0, 0.0), LEAD, YAW, ORDER],
+            },
+            Variant {
+                kind: "raster",
+                shapes: &["mesh"],
+                fields: &[number("angle_deg", "°", [-180.0, 180.0], 5.0, 0.0), ORDER],
+            },
+        ],
+        fields: &[],
+    },
+    Group {
+        path: "tolerance",
+        variants: &[],
+        fields: &[
+            number("scallop_mm", "mm", [0.0001, 5.0], 0.005, 0.01),
+            number("chord_mm", "mm", [0.0001, 1.0], 0.0005, 0.001),
+        ],
+    },
+    Group {
+        path: "links",
+        variants: &[],
+        fields: &[
+            number("lift_mm", "mm", [0.1, 100.0], 0.5, 2.0),
+            number("clearance_mm", "mm", [0.1, 500.0], 1.0, 10.0),
+        ],
+    },
+    Group {
+        path: "feeds",
+        variants: &[],
+        fields: &[
+            number("cut_mm_per_min", "mm/min", [1.0, 60_000.0], 100.0, 1500.0),
+            number("plunge_mm_per_min", "mm/min", [1.0, 60_000.0], 50.0, 300.0),
+            number("rapid_mm_per_min", "mm/min", [1.0, 200_000.0], 1000.0, 20_000.0),
+            number("spindle_rpm", "1/min", [1.0, 200_000.0], 500.0, 12_000.0),
+        ],
+    },
+    Group {
+        path: "verify",
+        variants: &[],
+        fields: &[
+            Field { name: "enabled", kind: Kind::Flag(true) },
+            number("spacing_mm", "mm", [0.005, 10.0], 0.05, 0.25),
+        ],
+    },
+];

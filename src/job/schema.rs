@@ -1,0 +1,107 @@
+//! The table of settings as JSON: for forms, for filling in defaults, and for checking ranges.
+
+use super::error::JobError;
+use super::fields::{Field, GROUPS, Group, Kind, Variant};
+use serde_json::{Map, Value, json};
+
+/// The schema that forms are made from, as JSON text: groups in order, each with its variants and settings, with unit,
+/// range, step and default of every setting.
+pub fn schema() -> String {
+    let groups: Vec<Value> = GROUPS
+        .iter()
+        .map(|g| {
+            json!({
+                "id": g.path,
+                "path": g.path,
+                "variants": g.variants.iter().map(variant).collect::<Vec<_>>(),
+                "fields": g.fields.iter().map(field).collect::<Vec<_>>(),
+            })
+        })
+        .collect();
+    json!({ "version": super::VERSION, "groups": groups }).to_string()
+}
+
+fn variant(v: &Variant) -> Value {
+    json!({ "kind": v.kind, "for": v.shapes, "fields": v.fields.iter().map(field).collect::<Vec<_>>() })
+}
+
+fn field(f: &Field) -> Value {
+    match f.kind {
+        Kind::Number { unit, min, max, step, default } => json!({
+            "name": f.name, "type": "number", "unit": unit, "min": min, "max": max, "step": step, "default": default,
+        }),
+        Kind::Choice { options, default } => {
+            json!({ "name": f.name, "type": "choice", "options": options, "default": default })
+        }
+        Kind::Flag(default) => json!({ "name": f.name, "type": "boolean", "default": default }),
+    }
+}
+
+/// The settings that apply to `object`, by its `kind`.
+///
+/// Errors name the `kind` if it is not one of the group's.
+fn settings(group: &'static Group, object: &Map<String, Value>) -> Result<Vec<&'static Field>, JobError> {
+    let own: &[Field] = match (group.variants.first(), object.get("kind")) {
+        (None, _) => &[],
+        (Some(first), None) => first.fields,
+        (Some(_), Some(kind)) => {
+            let found = group.variants.iter().find(|v| kind == v.kind);
+            let known = || group.variants.iter().map(|v| v.kind).collect::<Vec<_>>().join(", ");
+            found
+                .ok_or_else(|| {
+                    JobError::field(&format!("{}.kind", group.path), format!("must be one of {}", known()))
+                })?
+                .fields
+        }
+    };
+    Ok(own.iter().chain(group.fields).collect())
+}
+
+/// Fills in what `spec` leaves out with the table's defaults, and checks what it says against the table's ranges.
+///
+/// Errors name the setting and what would be right.
+pub(super) fn complete(spec: &mut Map<String, Value>) -> Result<(), JobError> {
+    for group in GROUPS {
+        let entry = spec.entry(group.path).or_insert_with(|| Value::Object(Map::new()));
+        let Value::Object(object) = entry else {
+            return Err(JobError::field(group.path, "must be an object".into()));
+        };
+        if let Some(first) = group.variants.first() {
+            object.entry("kind").or_insert_with(|| first.kind.into());
+        }
+        for field in settings(group, object)? {
+            let path = format!("{}.{}", group.path, field.name);
+            let value = object.entry(field.name).or_insert_with(|| default(field));
+            check(field, value).map_err(|message| JobError::field(&path, message))?;
+        }
+    }
+    Ok(())
+}
+
+fn default(field: &Field) -> Value {
+    match field.kind {
+        Kind::Number { default, .. } => default.into(),
+        Kind::Choice { default, .. } => default.into(),
+        Kind::Flag(default) => default.into(),
+    }
+}
+
+fn check(field: &Field, value: &Value) -> Result<(), String> {
+    match field.kind {
+        Kind::Number { unit, min, max, .. } => match value.as_f64() {
+            Some(x) if (min..=max).contains(&x) => Ok(()),
+            _ => Err(format!("must be a number from {min} to {max} {unit}")),
+        },
+        Kind::Choice { options, .. } => match value.as_str() {
+            Some(s) if options.contains(&s) => Ok(()),
+            _ => Err(format!("must be one of {}", options.join(", "))),
+        },
+        Kind::Flag(_) => {
+            if value.is_boolean() {
+                Ok(())
+            } else {
+                Err("must be true or false".into())
+            }
+        }
+    }
+}

@@ -1,0 +1,302 @@
+//! The specification of a job: everything that affects its output.
+
+use super::error::JobError;
+use super::schema;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+/// The version of [`Spec`] that this code writes, and the latest that it reads.
+pub const VERSION: u32 = 1;
+
+/// Everything that affects a job's output. Lengths in millimetres and angles in degrees, as the names say.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Spec {
+    /// [`VERSION`].
+    pub version: u32,
+    /// The part's name, for the program's header.
+    #[serde(default)]
+    pub name: String,
+    /// The shape.
+    pub source: SourceSpec,
+    /// The tool.
+    pub cutter: CutterSpec,
+    /// How passes are laid.
+    pub strategy: StrategySpec,
+    /// What the finish must keep.
+    pub tolerance: ToleranceSpec,
+    /// How passes are joined.
+    pub links: LinkSpec,
+    /// How fast it goes.
+    pub feeds: FeedSpec,
+    /// How the proof is made.
+    pub verify: VerifySpec,
+}
+
+/// Where the shape comes from, and which side of it is cut.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
+pub enum SourceSpec {
+    /// A file that comes beside the specification.
+    File {
+        /// Its name or path.
+        path: String,
+        /// Which of the shapes in it, from 0.
+        #[serde(default)]
+        face: usize,
+        /// Unit of its numbers, where the file does not say or says wrong.
+        #[serde(default)]
+        unit: Option<String>,
+        /// Which side is cut.
+        #[serde(default)]
+        side: SideSpec,
+    },
+    /// A flat rectangle in z = 0, centred.
+    Plane {
+        /// Sizes along x and y.
+        size_mm: [f64; 2],
+        /// Which side is cut.
+        #[serde(default)]
+        side: SideSpec,
+    },
+    /// A piece of a cylinder along x, its middle pointing to +z.
+    Cylinder {
+        /// Radius.
+        radius_mm: f64,
+        /// Angle that the piece covers; 360 for all of it.
+        angle_deg: f64,
+        /// Length along x.
+        length_mm: f64,
+        /// `front` is the outside.
+        #[serde(default)]
+        side: SideSpec,
+    },
+    /// A piece of a cone along x, its middle pointing to +z.
+    Cone {
+        /// Radius at the lower end of x.
+        radius_start_mm: f64,
+        /// Radius at the upper end of x.
+        radius_end_mm: f64,
+        /// Angle that the piece covers.
+        angle_deg: f64,
+        /// Length along x.
+        length_mm: f64,
+        /// `front` is the outside.
+        #[serde(default)]
+        side: SideSpec,
+    },
+    /// A piece of a sphere around the +z axis's equator turned up: angles to both sides of +z.
+    Sphere {
+        /// Radius.
+        radius_mm: f64,
+        /// Angle that the piece covers along x and along y, at most 178 along y.
+        angle_deg: [f64; 2],
+        /// `front` is the outside.
+        #[serde(default)]
+        side: SideSpec,
+    },
+    /// A piece of a torus about y, its outer equator pointing to +z.
+    Torus {
+        /// Radius of the centre circle.
+        major_mm: f64,
+        /// Radius of the tube.
+        minor_mm: f64,
+        /// Angle about the axis and angle around the tube; 360 for all of it.
+        angle_deg: [f64; 2],
+        /// `front` is the outside.
+        #[serde(default)]
+        side: SideSpec,
+    },
+    /// A rational B-spline surface.
+    Nurbs {
+        /// Degrees in u and v.
+        degrees: [usize; 2],
+        /// Knots in u.
+        knots_u: Vec<f64>,
+        /// Knots in v.
+        knots_v: Vec<f64>,
+        /// Control points, v running fastest.
+        points_mm: Vec<[f64; 3]>,
+        /// Weights in the same order; all 1 without.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        weights: Option<Vec<f64>>,
+        /// `front` is where `du × dv` points.
+        #[serde(default)]
+        side: SideSpec,
+    },
+}
+
+/// Which side is cut.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum SideSpec {
+    /// Where `du × dv` points, or the outside of triangles.
+    #[default]
+    Front,
+    /// The other side.
+    Back,
+}
+
+/// The tool.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
+#[expect(missing_docs, reason = "names and units are the table's in fields.rs")]
+pub enum CutterSpec {
+    BullNose { diameter_mm: f64, corner_radius_mm: f64, height_mm: f64 },
+    Ball { diameter_mm: f64, height_mm: f64 },
+    Flat { diameter_mm: f64, height_mm: f64 },
+    Tapered { diameter_mm: f64, corner_radius_mm: f64, taper_deg: f64, height_mm: f64 },
+    Conical { diameter_mm: f64, corner_radius_mm: f64, bottom_deg: f64, height_mm: f64 },
+}
+
+/// How passes are laid.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
+#[expect(missing_docs, reason = "names and units are the table's in fields.rs")]
+pub enum StrategySpec {
+    IsoParametric { along: AlongSpec, lead_deg: f64, yaw_deg: f64, order: OrderSpec },
+    IsoPlanar { angle_deg: f64, lead_deg: f64, yaw_deg: f64, order: OrderSpec },
+    Raster { angle_deg: f64, order: OrderSpec },
+}
+
+/// The parameter that passes follow.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[expect(missing_docs, reason = "the names say it")]
+pub enum AlongSpec {
+    U,
+    V,
+}
+
+/// Whether passes go one way or to and fro.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[expect(missing_docs, reason = "the names say it")]
+pub enum OrderSpec {
+    Zig,
+    Zigzag,
+}
+
+/// What the finish must keep.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ToleranceSpec {
+    /// Highest cusp.
+    pub scallop_mm: f64,
+    /// Deviation of straight moves from the surface.
+    pub chord_mm: f64,
+}
+
+/// How passes are joined.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LinkSpec {
+    /// Lift between neighbouring passes.
+    pub lift_mm: f64,
+    /// Distance from everything on rapid ways.
+    pub clearance_mm: f64,
+}
+
+/// How fast it goes.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FeedSpec {
+    /// Feed along passes.
+    pub cut_mm_per_min: f64,
+    /// Feed down to a pass.
+    pub plunge_mm_per_min: f64,
+    /// What the machine does in rapid; for the time in the report only.
+    pub rapid_mm_per_min: f64,
+    /// Spindle speed.
+    pub spindle_rpm: f64,
+}
+
+/// How the proof is made.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct VerifySpec {
+    /// Whether the path is cut in simulation.
+    pub enabled: bool,
+    /// Distance of the samples; around the extremes the simulation takes finer ones by itself.
+    pub spacing_mm: f64,
+}
+
+impl Spec {
+    /// Reads a specification from JSON text, filling in defaults for what it leaves out.
+    ///
+    /// Errors name line and column for broken JSON, and otherwise the setting: one that is unknown, missing, of the
+    /// wrong type, or out of its range.
+    pub fn from_json(text: &str) -> Result<Self, JobError> {
+        let value: Value = serde_json::from_str(text).map_err(|e| JobError::Syntax(e.to_string()))?;
+        let Value::Object(mut object) = value else {
+            return Err(JobError::Syntax("must be a JSON object".into()));
+        };
+        match object.get("version").map(Value::as_u64) {
+            None => object.insert("version".into(), VERSION.into()),
+            Some(Some(v)) if v == u64::from(VERSION) => None,
+            Some(_) => {
+                return Err(JobError::field(
+                    "version",
+                    format!("must be {VERSION}, the version of this program"),
+                ));
+            }
+        };
+        schema::complete(&mut object)?;
+        let mut track = serde_path_to_error::Track::new();
+        let value = Value::Object(object);
+        Self::deserialize(serde_path_to_error::Deserializer::new(&value, &mut track)).map_err(|e| {
+            let path = track.path().to_string();
+            let path = if path == "." { String::new() } else { path };
+            JobError::Field { field: path, message: e.to_string() }
+        })
+    }
+
+    /// The specification as JSON text with every setting spelled out, so that it stays the same when defaults change.
+    pub fn to_json(&self) -> String {
+        // A struct of numbers, strings and lists always has a JSON form.
+        serde_json::to_string_pretty(self).unwrap_or_default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LEAST: &str = r#"{"source": {"kind": "plane", "size_mm": [50, 30]}}"#;
+
+    fn error(text: &str) -> (String, String) {
+        match Spec::from_json(text).unwrap_err() {
+            JobError::Field { field, message } => (field, message),
+            other => (String::new(), other.to_string()),
+        }
+    }
+
+    #[test]
+    fn defaults_fill_in_and_survive_the_way_through_json() {
+        let spec = Spec::from_json(LEAST).unwrap();
+        assert_eq!(spec.tolerance.scallop_mm, 0.01);
+        assert!(matches!(spec.strategy, StrategySpec::IsoParametric { along: AlongSpec::U, .. }));
+        assert_eq!(Spec::from_json(&spec.to_json()).unwrap(), spec);
+    }
+
+    #[test]
+    fn what_is_wrong_is_named() {
+        let with = |extra: &str| LEAST.replacen('{', &format!("{{{extra}, "), 1);
+        let (field, message) = error(&with(r#""tolerance": {"scallop_mm": 0}"#));
+        assert_eq!(field, "tolerance.scallop_mm");
+        assert!(message.contains("0.0001 to 5 mm"), "{message}");
+        let (field, message) = error(&with(r#""cutter": {"kind": "spoon"}"#));
+        assert_eq!(field, "cutter.kind");
+        assert!(message.contains("bull_nose"), "{message}");
+        let (field, message) = error(&with(r#""tolerance": {"scalop_mm": 0.01}"#));
+        assert!(field.starts_with("tolerance") && message.contains("scalop_mm"), "{field} {message}");
+        let (_, message) = error(&with(r#""tolerence": {}"#));
+        assert!(message.contains("tolerence"), "{message}");
+        let (field, _) = error(&with(r#""version": 7"#));
+        assert_eq!(field, "version");
+        let (_, message) = error("{\n\"source\": }");
+        assert!(message.contains("line 2"), "{message}");
+        assert!(error(&with(r#""feeds": {"spindle_rpm": "fast"}"#)).1.contains("number"));
+        assert!(error("{}").1.contains("source"));
+    }
+}
