@@ -34,6 +34,7 @@
 pub mod contact;
 pub mod cutter;
 pub mod geometry;
+pub mod import;
 pub mod job;
 pub mod math;
 pub mod monitor;

@@ -26,6 +26,6 @@ pub use iso_line::{FieldGrid, IsoLine};
 pub use jet::Jet;
 pub use mesh::TriMesh;
 pub use nurbs::{Along, MAX_DEGREE, MAX_POINTS, NurbsError, NurbsSurface};
-pub(crate) use nurbs::{Basis, span};
+use nurbs::{Basis, span};
 pub use surface::{Domain, Range, Surface, Uv};
 pub use zone::Zone;

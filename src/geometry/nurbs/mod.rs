@@ -8,7 +8,7 @@ mod error;
 mod tests;
 
 pub use basis::MAX_DEGREE;
-pub(crate) use basis::{Basis, span};
+pub(super) use basis::{Basis, span};
 pub use error::{MAX_POINTS, NurbsError};
 
 use super::{Domain, Jet, Range, Surface, Uv};
