@@ -38,5 +38,6 @@ pub mod import;
 pub mod job;
 pub mod math;
 pub mod monitor;
+pub mod post;
 pub mod strategy;
 pub mod toolpath;
