@@ -56,6 +56,12 @@ impl<'a> Stage<'a> {
         Self { phase, from: at(from), to: at(to), ..*self }
     }
 
+    /// This stage on one thread.
+    #[must_use]
+    pub fn alone(&self) -> Self {
+        Self { workers: NonZeroUsize::MIN, ..*self }
+    }
+
     /// This stage without reports: for a step too small to be seen, which can still be cancelled.
     #[must_use]
     pub fn quiet(&self) -> Self {
@@ -133,7 +139,6 @@ mod tests {
     #[derive(Default)]
     struct Recorder {
         seen: Mutex<Vec<f64>>,
-        stop_after: Option<usize>,
     }
 
     impl Monitor for Recorder {
@@ -141,7 +146,7 @@ mod tests {
             self.seen.lock().unwrap().push(fraction);
         }
         fn is_cancelled(&self) -> bool {
-            self.stop_after.is_some_and(|n| self.seen.lock().unwrap().len() >= n)
+            false
         }
     }
 
@@ -158,11 +163,21 @@ mod tests {
         }
     }
 
+    /// Cancels once it was asked four times.
+    struct Impatient(AtomicUsize);
+
+    impl Monitor for Impatient {
+        fn progress(&self, _phase: &str, _fraction: f64) {}
+        fn is_cancelled(&self) -> bool {
+            self.0.fetch_add(1, Ordering::Relaxed) >= 4
+        }
+    }
+
     #[test]
     fn map_stops_when_told() {
         for workers in [1, 3] {
-            let recorder = Recorder { stop_after: Some(4), ..Recorder::default() };
-            let stage = Stage::whole(&recorder, NonZeroUsize::new(workers).unwrap());
+            let impatient = Impatient(AtomicUsize::new(0));
+            let stage = Stage::whole(&impatient, NonZeroUsize::new(workers).unwrap());
             assert_eq!(stage.map(1000, |i| i), Err(Cancelled));
         }
     }

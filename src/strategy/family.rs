@@ -1,6 +1,7 @@
 //! Passes along the level lines of a field, each as far from the last as its strips allow.
 
-use super::probe::{Probe, Setup};
+use super::fill;
+use super::probe::{Probe, Reach, Setup};
 use super::spacing::{Front, Toward};
 use super::walk;
 use super::{Finish, Order, Planned, StrategyError};
@@ -15,19 +16,29 @@ const MOST_PASSES: usize = 20_000;
 
 /// A family of level lines and the strips on them.
 pub(super) struct Family<'a> {
-    setup: Setup<'a>,
-    lines: FieldGrid,
+    pub(super) setup: Setup<'a>,
+    pub(super) lines: FieldGrid,
     /// Levels run in here; periodic where the last pass meets the first again.
     levels: Range,
-    column_period: Option<f64>,
+    /// A step that is right on flat ground, in units of the field, and the strip there, mm.
+    nominal: f64,
+    pub(super) strip: f64,
+    pub(super) column_period: Option<f64>,
     order: Order,
 }
 
-/// The lines of one level, probed.
-struct Candidate {
-    level: f64,
-    probes: Vec<Vec<Probe>>,
+/// The lines of one level, or pieces of them, with what the cutter does at their nodes.
+pub(super) struct Candidate {
+    pub(super) level: f64,
+    pub(super) lines: Vec<IsoLine>,
+    pub(super) probes: Vec<Vec<Probe>>,
+    pub(super) reversed: bool,
 }
+
+/// The share of a pass's columns that may be left to partial passes.
+const OPEN: f64 = 0.1;
+/// How much farther, as a share of the step, a pass must come for that: partial passes cost lifts and scars.
+const WORTH: f64 = 0.4;
 
 impl<'a> Family<'a> {
     /// The level lines of `field` on `face`, for a cutter held at `posture`.
@@ -40,20 +51,29 @@ impl<'a> Family<'a> {
         order: Order,
     ) -> Self {
         let cell = probe_spacing(cutter, posture, &finish);
-        let lines = FieldGrid::new(face, field, FaceGrid::new(face, cell, 24, 1200));
+        let grid = FaceGrid::new(face, cell, 24, 1200);
+        let (nu, nv) = grid.size();
+        let lines = FieldGrid::new(face, field, grid);
         let obstacle = FaceObstacle::new(face, obstacle_cell(cutter));
         let domain = face.domain();
         let (low, high) = lines.range();
         let levels = parameter_range(&domain, field).unwrap_or(Range::open(low, high));
+        // A cell of the grid is half a strip.
+        let nominal = match field {
+            Field::U => 2.0 * levels.length() / (nu - 1) as f64,
+            Field::V => 2.0 * levels.length() / (nv - 1) as f64,
+            Field::Along(_) => 2.0 * cell,
+        };
         let column_period = parameter_range(&domain, column).filter(|r| r.periodic).map(|r| r.length());
         let setup = Setup { face, obstacle, cutter, posture, finish, field, column };
-        Self { setup, lines, levels, column_period, order }
+        Self { setup, lines, levels, nominal, strip: 2.0 * cell, column_period, order }
     }
 
     /// The passes, from the lowest level to the highest.
     pub(super) fn plan(&self, stage: &Stage) -> Result<Planned, StrategyError> {
-        let levels = self.place(&stage.part("Spacing passes", 0.0, 0.7))?;
-        let passes = self.walk(&levels, &stage.part("Following the surface", 0.7, 0.95))?;
+        let candidates = self.place(&stage.part("Spacing passes", 0.0, 0.6))?;
+        let tracks = fill::tracks(self, candidates, &stage.part("Filling gaps", 0.6, 0.7))?;
+        let passes = self.walk(&tracks, &stage.part("Following the surface", 0.7, 0.95))?;
         let unreached = self.unreached(&stage.part("Mapping what is unreachable", 0.95, 1.0))?;
         if passes.is_empty() {
             let why = "it gouges at every point in this posture; try more lead, or a smaller cutter";
@@ -62,51 +82,46 @@ impl<'a> Family<'a> {
         Ok(Planned { passes, unreached })
     }
 
-    /// The levels at which passes run.
-    fn place(&self, stage: &Stage) -> Result<Vec<f64>, StrategyError> {
+    /// The lines on which whole passes run, lowest first.
+    fn place(&self, stage: &Stage) -> Result<Vec<Candidate>, StrategyError> {
         let first = self.first(stage)?;
-        let mut levels = vec![first.level];
-        let mut front = self.front(&first, Toward::Higher);
         let start = self.front(&first, Toward::Lower).raised(self.levels.length());
-        let mut step = (front.lowest() - first.level).min(self.levels.length());
-        if !(step > 0.0) {
-            step = 0.05 * self.levels.length();
-        }
-        loop {
-            let from = *levels.last().unwrap_or(&self.levels.lo);
+        let mut placed = vec![first];
+        let mut guess = self.nominal;
+        while let Some(last) = placed.last() {
+            let from = last.level;
             stage.at((from - self.levels.lo) / self.levels.length())?;
+            let front = self.front(last, Toward::Higher);
             let done = if self.levels.periodic {
-                front.gap(&start).is_none_or(|gap| gap <= 0.0)
+                front.gaps(&start).all_but(0.0).is_some_and(|gap| gap <= 0.0)
             } else {
-                front.is_empty()
+                last.runs_over_border(Toward::Higher)
             };
-            if done || from >= self.levels.hi {
-                return Ok(levels);
+            if done || from >= self.levels.hi - self.margin() {
+                break;
             }
-            if levels.len() >= MOST_PASSES {
+            if placed.len() >= MOST_PASSES {
                 let why = "raise the scallop limit, or take a larger cutter".into();
                 return Err(StrategyError::TooMany { most: MOST_PASSES, why });
             }
-            let next = self.next(&front, from, step, levels.len(), stage)?;
-            step = next.level - from;
-            front = self.front(&next, Toward::Higher);
-            levels.push(next.level);
+            let next = self.next(&front, from, guess, placed.len(), stage)?;
+            // The next step is looked for near this one, but never so near that an odd spot slows down all that follow.
+            guess = (next.level - from).max(0.1 * self.nominal);
+            placed.push(next);
         }
+        Ok(placed)
     }
 
     /// The first pass: as far in as its strips still run over the border everywhere.
     fn first(&self, stage: &Stage) -> Result<Candidate, Cancelled> {
         let lo = self.levels.lo;
-        // A hair inside, since a section through the very corner of a face is a point.
-        let edge = self.candidate(lo + 1e-9 * self.levels.length(), 0, stage)?;
+        let edge = self.candidate(lo, 0, stage)?;
         if self.levels.periodic {
             return Ok(edge);
         }
-        let reach = self.front(&edge, Toward::Higher).lowest() - lo;
-        let reach = if reach.is_finite() { reach } else { 0.02 * self.levels.length() };
-        let fits = |c: &Candidate| c.has_strips() && self.front(c, Toward::Lower).is_empty();
+        let fits = |c: &Candidate| c.runs_over_border(Toward::Lower);
         let mut best = edge;
-        let (mut inside, mut outside) = (0.0, reach.clamp(1e-6 * self.levels.length(), self.levels.length()));
+        let (mut inside, mut outside) = (0.0, (2.0 * self.nominal).min(self.levels.length()));
         // A thousandth of the first strip is nothing in the length of a path.
         for _ in 0..12 {
             let middle = 0.5 * (inside + outside);
@@ -120,7 +135,10 @@ impl<'a> Family<'a> {
         Ok(best)
     }
 
-    /// The next pass after the one at `from`: the farthest whose strips still meet `front`.
+    /// The next pass after the one at `from`.
+    ///
+    /// The farthest whose strips meet `front` everywhere; or, where a few odd columns would hold up the whole pass, the
+    /// farthest whose strips meet it nearly everywhere, and the rest is filled by partial passes.
     fn next(
         &self,
         front: &Front,
@@ -129,26 +147,47 @@ impl<'a> Family<'a> {
         index: usize,
         stage: &Stage,
     ) -> Result<Candidate, Cancelled> {
+        let strict = self.farthest(front, from, guess, 0.0, index, stage)?;
+        let step = strict.level - from;
+        let overlap = front.gaps(&self.front(&strict, Toward::Lower)).all_but(OPEN).unwrap_or(0.0);
+        if overlap > -WORTH * step {
+            return Ok(strict);
+        }
+        let loose = self.farthest(front, from, step - overlap, OPEN, index, stage)?;
+        Ok(if loose.level - from > (1.0 + WORTH) * step { loose } else { strict })
+    }
+
+    /// The farthest pass whose strips meet `front` in all but the share `open` of their columns.
+    fn farthest(
+        &self,
+        front: &Front,
+        from: f64,
+        guess: f64,
+        open: f64,
+        index: usize,
+        stage: &Stage,
+    ) -> Result<Candidate, Cancelled> {
         let most = self.levels.length() - (from - self.levels.lo);
-        let gap_at = |step: f64| -> Result<(f64, Candidate), Cancelled> {
+        let gap_at = |step: f64| -> Result<(Option<f64>, Candidate), Cancelled> {
             let candidate = self.candidate(from + step, index, stage)?;
-            let gap = front.gap(&self.front(&candidate, Toward::Lower));
-            // Where nothing lies abreast a smaller step is tried, down to a quarter of the last.
-            let gap = gap.unwrap_or(if step > 0.25 * guess { guess } else { -guess });
-            Ok((gap, candidate))
+            Ok((front.gaps(&self.front(&candidate, Toward::Lower)).all_but(open), candidate))
         };
-        let least = 1e-4 * guess.max(1e-6 * self.levels.length());
+        let least = 0.05 * self.nominal;
         let (mut low, mut low_gap) = (0.0, -guess);
         let mut best: Option<Candidate> = None;
         let mut high = None;
         let mut step = guess.min(most);
         for _ in 0..40 {
             let (gap, candidate) = gap_at(step)?;
-            if gap > 0.0 {
-                high = Some((step, gap));
-                break;
+            match gap {
+                // Nothing lies abreast: this pass or the last cannot be cut anywhere, and neither bounds the step.
+                None => return Ok(candidate),
+                Some(gap) if gap > 0.0 => {
+                    high = Some((step, gap));
+                    break;
+                }
+                Some(gap) => (low, low_gap, best) = (step, gap, Some(candidate)),
             }
-            (low, low_gap, best) = (step, gap, Some(candidate));
             if step >= most {
                 break;
             }
@@ -168,19 +207,21 @@ impl<'a> Family<'a> {
             let aim = if k % 4 == 3 { 0.5 * (low + high) } else { secant - 0.3 * tolerance * high };
             let step = aim.clamp(low + 0.05 * (high - low), high - 0.05 * (high - low));
             let (gap, candidate) = gap_at(step)?;
-            if gap > 0.0 {
-                (high, high_gap) = (step, gap);
-            } else {
-                (low, low_gap, best) = (step, gap, Some(candidate));
-                if gap > -tolerance * step {
-                    break;
+            match gap {
+                Some(gap) if gap > 0.0 => (high, high_gap) = (step, gap),
+                Some(gap) => {
+                    (low, low_gap, best) = (step, gap, Some(candidate));
+                    if gap > -tolerance * step {
+                        break;
+                    }
                 }
+                None => (low, best) = (step, Some(candidate)),
             }
         }
         match best {
             Some(candidate) => Ok(candidate),
-            // No step closes the gap (the field stands still there): go on by the smallest.
-            None => self.candidate(from + high.max(least).min(most), index, stage),
+            // No step worth a whole pass closes the gap: go on by the least, and leave the rest to partial passes.
+            None => self.candidate(from + least.min(most), index, stage),
         }
     }
 
@@ -201,7 +242,7 @@ impl<'a> Family<'a> {
         for _ in 0..10 {
             let middle = 0.5 * (inside + outside);
             let candidate = self.candidate(from + middle, index, stage)?;
-            if candidate.has_strips() && self.front(&candidate, Toward::Higher).is_empty() {
+            if candidate.runs_over_border(Toward::Higher) {
                 (inside, best) = (middle, candidate);
             } else {
                 outside = middle;
@@ -210,7 +251,7 @@ impl<'a> Family<'a> {
         Ok(best)
     }
 
-    fn front(&self, candidate: &Candidate, toward: Toward) -> Front {
+    pub(super) fn front(&self, candidate: &Candidate, toward: Toward) -> Front {
         Front::new(&candidate.probes, toward, self.column_period)
     }
 
@@ -220,31 +261,45 @@ impl<'a> Family<'a> {
 
     fn candidate(&self, level: f64, index: usize, stage: &Stage) -> Result<Candidate, Cancelled> {
         // At the very ends a section may be a single point.
-        let margin = 1e-9 * self.levels.length();
         let level = if self.levels.periodic {
             level
         } else {
-            level.clamp(self.levels.lo + margin, self.levels.hi - margin)
+            level.clamp(self.levels.lo + self.margin(), self.levels.hi - self.margin())
         };
-        let lines = self.lines.lines(level);
-        let reversed = self.reversed(index);
+        self.probed(level, self.lines.lines(level), self.reversed(index), stage)
+    }
+
+    /// `lines`, all of `level`, with what the cutter does at their nodes.
+    pub(super) fn probed(
+        &self,
+        level: f64,
+        lines: Vec<IsoLine>,
+        reversed: bool,
+        stage: &Stage,
+    ) -> Result<Candidate, Cancelled> {
         let nodes: Vec<_> = lines.iter().flat_map(|line| &line.nodes).collect();
         let mut flat = stage.quiet().map(nodes.len(), |i| self.setup.probe(*nodes[i], reversed))?.into_iter();
         let probes = lines.iter().map(|line| flat.by_ref().take(line.nodes.len()).collect()).collect();
-        Ok(Candidate { level, probes })
+        Ok(Candidate { level, lines, probes, reversed })
     }
 
-    /// The passes on the lines of `levels`.
-    fn walk(&self, levels: &[f64], stage: &Stage) -> Result<Vec<Pass>, Cancelled> {
-        let per_level = stage.map(levels.len(), |i| {
-            let reversed = self.reversed(i);
-            let mut lines: Vec<IsoLine> = self.lines.lines(levels[i]);
-            if reversed {
-                lines.reverse();
+    /// How far inside its ends the levels stay, since a section through the very corner of a face is a point.
+    fn margin(&self) -> f64 {
+        1e-9 * self.levels.length()
+    }
+
+    /// The passes on the lines of `tracks`.
+    fn walk(&self, tracks: &[Candidate], stage: &Stage) -> Result<Vec<Pass>, Cancelled> {
+        let per_track = stage.map(tracks.len(), |i| {
+            let track = &tracks[i];
+            let pass = |line| walk::passes(&self.setup, line, track.reversed);
+            if track.reversed {
+                track.lines.iter().rev().flat_map(pass).collect::<Vec<_>>()
+            } else {
+                track.lines.iter().flat_map(pass).collect()
             }
-            lines.iter().flat_map(|line| walk::passes(&self.setup, line, reversed)).collect::<Vec<_>>()
         })?;
-        Ok(per_level.into_iter().flatten().collect())
+        Ok(per_track.into_iter().flatten().collect())
     }
 
     /// Where the cutter cannot go on the lines of this family.
@@ -264,8 +319,9 @@ impl<'a> Family<'a> {
 }
 
 impl Candidate {
-    fn has_strips(&self) -> bool {
-        self.probes.iter().flatten().any(|p| matches!(p, Probe::Strip { .. }))
+    /// Whether the cutter can go everywhere on the lines and its strips run over the border everywhere.
+    fn runs_over_border(&self, toward: Toward) -> bool {
+        self.probes.iter().flatten().all(|p| matches!(p.reach(toward), Some(Reach::Border { .. })))
     }
 }
 

@@ -1,6 +1,7 @@
 //! From a surface and a cutter to ordered passes that leave no cusp above the limit.
 
 mod family;
+mod fill;
 mod finish;
 mod iso_parametric;
 mod iso_planar;

@@ -31,8 +31,8 @@ pub(super) const GOUGE: f64 = 0.0005;
 pub(super) enum Reach {
     /// To this level and column of the family, at this point.
     To { level: f64, column: f64, point: DVec3 },
-    /// Over the border of the face.
-    Border,
+    /// Over the border of the face; column and point of the contact itself.
+    Border { column: f64, point: DVec3 },
 }
 
 /// What the cutter does at one point of a level line.
@@ -88,20 +88,23 @@ impl Setup<'_> {
     pub(super) fn probe(&self, uv: Uv, reversed: bool) -> Probe {
         let Some(strip) = self.strip(uv, reversed) else { return Probe::Blocked };
         let (up, down) = if reversed { (strip.right, strip.left) } else { (strip.left, strip.right) };
-        match (self.reach(up), self.reach(down)) {
+        match (self.reach(up, uv), self.reach(down, uv)) {
             (Some(up), Some(down)) => Probe::Strip { up, down },
             _ => Probe::Blocked,
         }
     }
 
-    fn reach(&self, edge: Edge) -> Option<Reach> {
+    fn reach(&self, edge: Edge, contact: Uv) -> Option<Reach> {
         match edge {
             Edge::Reached(uv) => {
                 let point = self.face.surface.point(uv);
                 let (level, column) = (self.field.value(uv, point), self.column.value(uv, point));
                 Some(Reach::To { level, column, point })
             }
-            Edge::Border(_) => Some(Reach::Border),
+            Edge::Border(_) => {
+                let point = self.face.surface.point(contact);
+                Some(Reach::Border { column: self.column.value(contact, point), point })
+            }
             Edge::Gouge(_) => None,
         }
     }

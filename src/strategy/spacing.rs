@@ -6,10 +6,22 @@ use glam::DVec3;
 /// The edges of a pass's strips towards one side, as stretches between neighbouring probes.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Front {
-    stretches: Vec<[Corner; 2]>,
+    stretches: Vec<Stretch>,
     /// Period of the column coordinate, where it has one.
     period: Option<f64>,
 }
+
+/// A piece of a front between neighbouring probes.
+#[derive(Debug, Clone, Copy)]
+struct Stretch {
+    corners: [Corner; 2],
+    /// How far the piece counts beyond its ends, as a share of its length: an edge at the very end of a line may lie a
+    /// little before or behind the end of its neighbour's.
+    overhang: [f64; 2],
+}
+
+/// Overhang at the ends of a line.
+const END: f64 = 0.5;
 
 /// A corner of a front.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,7 +39,8 @@ pub(super) enum Toward {
 }
 
 impl Probe {
-    fn reach(&self, toward: Toward) -> Option<Reach> {
+    /// How far the strip reaches to that side; `None` where the cutter cannot go.
+    pub(super) fn reach(&self, toward: Toward) -> Option<Reach> {
         match (self, toward) {
             (Self::Strip { up, .. }, Toward::Higher) => Some(*up),
             (Self::Strip { down, .. }, Toward::Lower) => Some(*down),
@@ -37,39 +50,45 @@ impl Probe {
 }
 
 impl Front {
-    /// The front of the probed lines towards one side. Where a strip runs over the border or the cutter cannot go the
-    /// front has a gap: nothing is asked of a neighbour there.
+    /// The front of the probed lines towards one side. Where a strip runs over the border the front is infinitely far
+    /// out; where the cutter cannot go it has a gap.
     pub(super) fn new(lines: &[Vec<Probe>], toward: Toward, period: Option<f64>) -> Self {
-        let corner = |probe: &Probe| match probe.reach(toward) {
-            Some(Reach::To { level, column, point }) => Some(Corner { column, level, point }),
-            Some(Reach::Border) | None => None,
+        let outside = match toward {
+            Toward::Higher => f64::INFINITY,
+            Toward::Lower => f64::NEG_INFINITY,
         };
-        let stretches = lines
-            .iter()
-            .flat_map(|line| line.windows(2))
-            .filter_map(|w| Some([corner(&w[0])?, corner(&w[1])?]))
-            .collect();
+        let corner = |probe: &Probe| {
+            Some(match probe.reach(toward)? {
+                Reach::To { level, column, point } => Corner { column, level, point },
+                Reach::Border { column, point } => Corner { column, level: outside, point },
+            })
+        };
+        let stretch = |a: Corner, b: Corner| {
+            // Between an edge and the border it runs over, the edge's own level is the safe one.
+            let level = |own: f64, other: f64| if own.is_finite() { own } else { other };
+            [Corner { level: level(a.level, b.level), ..a }, Corner { level: level(b.level, a.level), ..b }]
+        };
+        let mut stretches = Vec::new();
+        for line in lines {
+            let last = line.len().saturating_sub(2);
+            for (i, w) in line.windows(2).enumerate() {
+                if let (Some(a), Some(b)) = (corner(&w[0]), corner(&w[1])) {
+                    let overhang = [i == 0, i == last].map(|end| if end { END } else { 0.0 });
+                    stretches.push(Stretch { corners: stretch(a, b), overhang });
+                }
+            }
+        }
         Self { stretches, period }
-    }
-
-    /// Whether the front asks nothing of a neighbour.
-    pub(super) fn is_empty(&self) -> bool {
-        self.stretches.is_empty()
     }
 
     /// The front with every level raised by `by`.
     #[must_use]
     pub(super) fn raised(&self, by: f64) -> Self {
         let mut raised = self.clone();
-        for corner in raised.stretches.iter_mut().flatten() {
+        for corner in raised.stretches.iter_mut().flat_map(|s| &mut s.corners) {
             corner.level += by;
         }
         raised
-    }
-
-    /// Lowest level of the front.
-    pub(super) fn lowest(&self) -> f64 {
-        self.stretches.iter().flatten().map(|c| c.level).fold(f64::INFINITY, f64::min)
     }
 
     /// The level of the front abreast of `corner`, on the stretch nearest to it in space.
@@ -80,34 +99,62 @@ impl Front {
             None => [corner.column; 3],
         };
         for column in &images[..if self.period.is_some() { 3 } else { 1 }] {
-            for [a, b] in &self.stretches {
+            for Stretch { corners: [a, b], overhang } in &self.stretches {
                 let width = b.column - a.column;
                 let t = (column - a.column) / width;
-                if width == 0.0 || !(0.0..=1.0).contains(&t) {
+                if width == 0.0 || !(-overhang[0]..=1.0 + overhang[1]).contains(&t) {
                     continue;
                 }
                 let away = a.point.lerp(b.point, t).distance_squared(corner.point);
                 if nearest.is_none_or(|(d, _)| away < d) {
-                    nearest = Some((away, a.level + (b.level - a.level) * t));
+                    let level = if a.level == b.level { a.level } else { a.level + (b.level - a.level) * t };
+                    nearest = Some((away, level));
                 }
             }
         }
         nearest.map(|(_, level)| level)
     }
 
-    /// The widest gap between this front, towards higher levels, and the front `upper` towards lower levels of the next
-    /// pass, in units of the field; negative where they overlap everywhere, `None` where they nowhere lie abreast.
-    pub(super) fn gap(&self, upper: &Self) -> Option<f64> {
+    /// The gaps between this front, towards higher levels, and the front `upper` towards lower levels of the next pass.
+    pub(super) fn gaps(&self, upper: &Self) -> Gaps {
         let from_above = upper
             .stretches
             .iter()
-            .flatten()
+            .flat_map(|s| &s.corners)
+            .filter(|c| c.level.is_finite())
             .filter_map(|c| self.level_abreast(c).map(|level| c.level - level));
         let from_below = self
             .stretches
             .iter()
-            .flatten()
+            .flat_map(|s| &s.corners)
+            .filter(|c| c.level.is_finite())
             .filter_map(|c| upper.level_abreast(c).map(|level| level - c.level));
-        from_above.chain(from_below).reduce(f64::max)
+        let mut sorted: Vec<f64> = from_above.chain(from_below).collect();
+        sorted.sort_unstable_by(f64::total_cmp);
+        Gaps { sorted }
+    }
+
+    /// Whether the front is abreast of the point with this level and column, and then reaches it or beyond.
+    pub(super) fn meets(&self, level: f64, column: f64, point: DVec3, toward: Toward) -> Option<bool> {
+        let abreast = self.level_abreast(&Corner { column, level, point })?;
+        Some(match toward {
+            Toward::Higher => abreast >= level,
+            Toward::Lower => abreast <= level,
+        })
+    }
+}
+
+/// The gaps between the strips of two neighbouring passes, column by column, in units of the field; negative where
+/// they overlap.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Gaps {
+    sorted: Vec<f64>,
+}
+
+impl Gaps {
+    /// The gap that all but the share `open` of the columns keep below; `None` where nothing lies abreast.
+    pub(super) fn all_but(&self, open: f64) -> Option<f64> {
+        let last = self.sorted.len().checked_sub(1)?;
+        Some(self.sorted[((1.0 - open) * last as f64).floor() as usize])
     }
 }
