@@ -159,13 +159,14 @@ impl Interpolation {
             }
         }
         for k in 0..n {
-            let pivot_row = factors[k];
-            for below in k + 1..n.min(k + BAND + 1) {
-                let place = k + BAND - below;
-                let factor = factors[below][place] / pivot_row[BAND];
-                factors[below][place] = factor;
+            let (above, below) = factors.split_at_mut(k + 1);
+            let pivot = above[k];
+            for (distance, row) in (1..=BAND).zip(below) {
+                let place = BAND - distance;
+                let factor = row[place] / pivot[BAND];
+                row[place] = factor;
                 for d in 1..=BAND {
-                    factors[below][place + d] -= factor * pivot_row[BAND + d];
+                    row[place + d] -= factor * pivot[BAND + d];
                 }
             }
         }

@@ -168,32 +168,32 @@ fn is_cut_or_padded_stl(bytes: &[u8]) -> bool {
     stated > 0 && looks_binary(bytes) && records.len() > 0 && records.into_iter().all(plausible)
 }
 
-/// The kind of a text by the first line that says something.
+/// The kind of a text by its first lines that say something.
 fn text_kind(start: &[u8]) -> Option<Format> {
     const OBJ_WORDS: [&str; 16] = [
         "v", "vt", "vn", "vp", "f", "o", "g", "s", "l", "p", "mtllib", "usemtl", "cstype", "deg", "call",
         "curv",
     ];
-    for line in start.split(|&b| b == b'\n') {
-        let line = String::from_utf8_lossy(line);
-        let line = line.trim();
-        if line.is_empty() || line.starts_with('#') {
-            continue;
-        }
-        if OBJ_WORDS.contains(&line.split_ascii_whitespace().next()?) {
-            return Some(Format::Obj);
-        }
-        if is_acis(line) {
-            return Some(Format::Acis);
-        }
-        if text::is_net_row(line) {
-            return Some(Format::ControlNet);
-        }
-        let delimiter = text::Delimiter::of(line);
-        let cells = delimiter.split(line).count();
-        return (cells >= 2).then_some(Format::Table);
+    let lines = start.split(|&b| b == b'\n').map(|line| String::from_utf8_lossy(line));
+    let mut lines = lines.filter(|line| !line.trim().is_empty() && !line.trim_start().starts_with('#'));
+    let first = lines.next()?;
+    let first = first.trim();
+    if OBJ_WORDS.contains(&first.split_ascii_whitespace().next()?) {
+        return Some(Format::Obj);
     }
-    None
+    if is_acis(first) {
+        return Some(Format::Acis);
+    }
+    if text::is_net_row(first) {
+        return Some(Format::ControlNet);
+    }
+    // The first row of a table may be words; one of the first two has numbers.
+    let delimiter = text::Delimiter::of(first);
+    let second = lines.next().unwrap_or_default();
+    let wide = delimiter.split(first).count() >= 2;
+    let numbers =
+        delimiter.split(first).chain(delimiter.split(&second)).any(|cell| cell.parse::<f64>().is_ok());
+    (wide && numbers).then_some(Format::Table)
 }
 
 /// A SAT file begins with four whole numbers, the first its version.

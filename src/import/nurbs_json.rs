@@ -124,7 +124,7 @@ fn surface(value: &Value, path: &str) -> Result<NurbsSurface, ImportError> {
     }
     let degrees = [degree(dialect.degrees[0])?, degree(dialect.degrees[1])?];
     let knots = [knots(dialect.knots[0])?, knots(dialect.knots[1])?];
-    let expected = [0, 1].map(|a| knots[a].len().saturating_sub(degrees[a] + 1));
+    let expected = [0, 1].map(|a| knots[a].len().saturating_sub(degrees[a].saturating_add(1)));
     let found = [rows.len(), rows.first().map_or(0, |row| row.len())];
     if found != expected {
         let message = format!(

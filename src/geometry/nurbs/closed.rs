@@ -39,12 +39,14 @@ pub(super) fn is_smoothly_closed(surface: &NurbsSurface, along: Along) -> bool {
         let jet = surface.jet(uv);
         (jet.p, tangent(&jet))
     };
+    if !size.is_finite() {
+        return false;
+    }
     let least = NO_TANGENT * size / range.length();
     let mut smooth_somewhere = false;
     for t in surface.parameters(other, 2 * surface.degree(other) + 1) {
         let ((p, a), (q, b)) = (at(range.lo, t), at(range.hi, t));
-        // Written so that overflowing coordinates, which compare as false, are never closed.
-        if !(p.distance(q) <= COINCIDENT * size) {
+        if p.distance(q) > COINCIDENT * size {
             return false;
         }
         let (la, lb) = (a.length(), b.length());

@@ -102,7 +102,8 @@ fn loop_curves(file: &File, face: &Entry, number: usize) -> Result<Vec<usize>, I
             let curve = index.checked_sub(1).and_then(|k| k.checked_mul(5)).map(|k| edges.count(2 + k));
             curves.push(curve.unwrap_or_else(|| Err(fault(entry, "edges are counted from 1")))?);
         }
-        at = record.count(at + 4)?.saturating_mul(2).saturating_add(at + 5);
+        // An edge takes five parameters and two for each of its curves in the surface's parameters.
+        at = record.count(at + 4)?.saturating_mul(2).saturating_add(at + 5).min(record.len());
     }
     Ok(curves)
 }
