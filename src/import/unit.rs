@@ -51,7 +51,8 @@ impl Unit {
 
     /// The unit with this name or abbreviation, in any case: `mm`, `inch`, `FT`.
     pub fn named(name: &str) -> Option<Self> {
-        let name = name.trim().to_lowercase();
+        // Micro has a sign of its own and may also be written with the Greek letter.
+        let name = name.trim().to_lowercase().replace('μ', "µ");
         UNITS.iter().find(|(_, _, names)| names.contains(&name.as_str())).map(|(unit, ..)| *unit)
     }
 }

@@ -120,6 +120,13 @@ fn iges_tells_trimmed_faces_from_whole_ones() {
 }
 
 #[test]
+fn iges_tells_when_a_part_of_the_parameters_is_used() {
+    let half = patch().replace(",0.,1.,0.,1.;", ",0.,0.5,0.,1.;");
+    let part = read("p", &iges(GLOBAL_INCH, &[(128, 0, "", half)])).unwrap();
+    assert!(part.warnings[0].to_string().contains("only a part of the parameters"), "{:?}", part.warnings);
+}
+
+#[test]
 fn iges_faults_name_the_entity() {
     let of = |content: &str| refusal(&iges(GLOBAL_INCH, &[(128, 0, "", content.to_owned())]));
     assert_eq!(

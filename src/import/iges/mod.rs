@@ -52,7 +52,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Part, ImportError> {
     let mut items = Vec::new();
     let mut points = 0;
     for entry in file.directory.iter().filter(|entry| entry.kind == 128) {
-        let surface = surface::read(&file, entry)?;
+        let (surface, partly) = surface::read(&file, entry)?;
         // Entries may share parameters, so that the file's size alone is no bound.
         points += surface.count(Along::U) * surface.count(Along::V);
         if points > MAX_POINTS {
@@ -65,6 +65,10 @@ pub(super) fn read(bytes: &[u8]) -> Result<Part, ImportError> {
         let label =
             own.iter().map(|face| face.label.as_str()).chain([entry.label.as_str()]).find(|l| !l.is_empty());
         let name = format!("{} D{}", label.unwrap_or("face"), entry.number);
+        if partly {
+            let why = "it uses only a part of the parameters of its surface".to_owned();
+            warnings.push(Warning::Trimmed { face: name.clone(), why });
+        }
         for face in own {
             let why = trim::beyond_border(&file, face, &surface)?;
             warnings.extend(why.map(|why| Warning::Trimmed { face: name.clone(), why }));

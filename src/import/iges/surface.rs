@@ -2,11 +2,11 @@
 
 use super::file::{Entry, File, Record};
 use super::{ImportError, fault};
-use crate::geometry::NurbsSurface;
+use crate::geometry::{NurbsSurface, Range, Surface};
 use glam::{DAffine3, DMat3, DVec3};
 
-/// The surface of an entity 128, transformed.
-pub(super) fn read(file: &File, entry: &Entry) -> Result<NurbsSurface, ImportError> {
+/// The surface of an entity 128, transformed, and whether the entity uses only a part of it.
+pub(super) fn read(file: &File, entry: &Entry) -> Result<(NurbsSurface, bool), ImportError> {
     let record = file.record(entry)?;
     let [nu, nv] = [plus_one(&record, 1)?, plus_one(&record, 2)?];
     let [pu, pv] = [record.count(3)?, record.count(4)?];
@@ -25,15 +25,29 @@ pub(super) fn read(file: &File, entry: &Entry) -> Result<NurbsSurface, ImportErr
         order.map(|k| (DVec3::from_slice(&coordinates[3 * k..]), weights[k])).unzip();
     let surface = NurbsSurface::new([pu, pv], knots, &points, Some(&weights))
         .map_err(|error| fault(entry, error.to_string()))?;
-    Ok(match placement(file, entry)? {
+    // Some writers leave these four out.
+    let used = record.numbers(start_points + coordinates.len(), 4).ok();
+    let partly = used.is_some_and(|used| is_partial(&surface, &used));
+    let surface = match placement(file, entry)? {
         Some(map) => surface.transformed(&map),
         None => surface,
-    })
+    };
+    Ok((surface, partly))
+}
+
+/// Whether the intervals `used`, of u and then v, leave out more of the domain than rounding in the file does.
+fn is_partial(surface: &NurbsSurface, used: &[f64]) -> bool {
+    const ROUNDING: f64 = 1e-6;
+    let domain = surface.domain();
+    let inside = |range: Range, used: &[f64]| {
+        (used[0] - range.lo).max(range.hi - used[1]) > ROUNDING * range.length() && used[0] < used[1]
+    };
+    inside(domain.u, &used[..2]) || inside(domain.v, &used[2..])
 }
 
 /// A count that is stored less one.
 fn plus_one(record: &Record<'_>, index: usize) -> Result<usize, ImportError> {
-    record.count(index).map(|count| count + 1)
+    record.count(index).map(|count| count.saturating_add(1))
 }
 
 /// The transformation of `entry`; `None` where it has none.
