@@ -41,3 +41,4 @@ pub mod monitor;
 pub mod post;
 pub mod strategy;
 pub mod toolpath;
+pub mod verify;

@@ -1,0 +1,120 @@
+//! Where a line is first entered by the body during a piece of its motion.
+
+use super::body::Body;
+use super::motion::{Piece, Probe};
+use glam::DVec3;
+
+/// Distances this small count as touching, millimetres: a tenth of the rounding that the layer promises.
+pub(super) const TOUCH: f64 = 1e-10;
+/// Certainty asked of a closest approach, millimetres.
+const CLOSE: f64 = 1e-11;
+/// More rounds than any search met needs (12).
+const MOST_ROUNDS: usize = 100;
+
+/// A line `point + t·direction` (unit) and the stretch of it that matters, both ends in millimetres.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Line {
+    pub(super) point: DVec3,
+    pub(super) direction: DVec3,
+    pub(super) from: f64,
+    pub(super) to: f64,
+}
+
+impl Line {
+    pub(super) fn at(&self, t: f64) -> DVec3 {
+        self.point + self.direction * t
+    }
+}
+
+/// A line's first entry into the moving body.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Entry {
+    /// Where on the line; its lower end if the body is already there.
+    pub(super) t: f64,
+    /// Centre of a ball of the corner radius that lies in the body and touches the entry from inside.
+    pub(super) ball: DVec3,
+}
+
+/// The first entry, going up, of `line` into `body` during `piece`; `None` if there is none below the line's upper end.
+///
+/// With the closest approach `m(t)` over the piece's time, which is convex along the line, Newton's method from below
+/// rises to the first zero and never beyond it; one step from inside lands below it.
+pub(super) fn first_entry(body: &Body, piece: &Piece, line: &Line) -> Option<Entry> {
+    let x = line.at(line.to);
+    let middle = piece.probe(body, 0.5, x, line.direction);
+    // Nearly every line misses, and most by so much that the tangents at one pose prove it.
+    let least = middle.distance - 0.5 * middle.by_time.abs() - piece.sag(middle.lever);
+    let rises = middle.by_line + piece.half_turn() > 0.0;
+    if !rises && least >= -TOUCH {
+        return None;
+    }
+    let (mut s, top) = closest(body, piece, line, line.to, 0.5, if rises { f64::INFINITY } else { -TOUCH });
+    let mut t = line.from;
+    if top.by_line < 0.0 {
+        if top.distance >= -TOUCH {
+            return None;
+        }
+        t = (line.to - top.distance / top.by_line).max(line.from);
+    }
+    for _ in 0..MOST_ROUNDS {
+        let (at, probe) = closest(body, piece, line, t, s, f64::INFINITY);
+        s = at;
+        if probe.distance <= TOUCH {
+            let ball = line.at(t) - probe.gradient * (probe.distance + body.inscribed()).max(0.0);
+            return Some(Entry { t, ball });
+        }
+        if probe.by_line >= 0.0 {
+            return None;
+        }
+        t -= probe.distance / probe.by_line;
+        if t > line.to - TOUCH {
+            return None;
+        }
+    }
+    None
+}
+
+/// The piece's parameter at which the body is closest to `line.at(t)`, searched from the guess `s`, and the probe
+/// there. Stops early once the distance is proved not to fall below `enough`.
+///
+/// Treats the distance as convex in the parameter; [`Piece`]s are cut so that it is, within their sag.
+fn closest(body: &Body, piece: &Piece, line: &Line, t: f64, s: f64, enough: f64) -> (f64, Probe) {
+    let x = line.at(t);
+    let look = |s: f64| piece.probe(body, s, x, line.direction);
+    let mut best = (s, look(s));
+    let mut ends: [Option<(f64, f64, f64)>; 2] = [None, None];
+    let mut here = best;
+    for round in 0..MOST_ROUNDS {
+        let (s, probe) = here;
+        if probe.distance < best.1.distance {
+            best = here;
+        }
+        let slope = probe.by_time;
+        // Downhill out of the piece, or level: nothing lower.
+        if slope == 0.0 || (slope > 0.0 && s <= 0.0) || (slope < 0.0 && s >= 1.0) {
+            return here;
+        }
+        ends[usize::from(slope > 0.0)] = Some((s, probe.distance, slope));
+        let next = match ends {
+            [Some((a, fa, da)), Some((b, fb, db))] => {
+                // Where the tangents at the two ends meet nothing can be lower.
+                let meet = ((fb - db * b) - (fa - da * a)) / (da - db);
+                let least = fa + da * (meet - a);
+                if best.1.distance - least <= CLOSE || least >= enough || b - a <= f64::EPSILON {
+                    return best;
+                }
+                let next = match round % 4 {
+                    3 => 0.5 * (a + b),
+                    1 => meet,
+                    _ => a - da * (b - a) / (db - da),
+                };
+                if next > a && next < b { next } else { 0.5 * (a + b) }
+            }
+            [Some((a, fa, da)), None] if fa + da * (1.0 - a) < enough => 1.0,
+            [None, Some((b, fb, db))] if fb - db * b < enough => 0.0,
+            _ => return best,
+        };
+        here = (next, look(next));
+    }
+    best
+}

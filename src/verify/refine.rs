@@ -1,0 +1,178 @@
+//! Finer samples where the extreme may hide between the coarse ones.
+
+use super::bound::{Sense, bound};
+use super::cut::{Hit, Scene};
+use super::samples::{Sample, Samples};
+use crate::geometry::Uv;
+use crate::monitor::{Cancelled, Stage};
+use std::collections::BTreeMap;
+
+/// Samples, old and new, with what they met.
+pub(super) struct Field<'a> {
+    source: &'a Samples,
+    pub(super) samples: Vec<Sample>,
+    pub(super) hits: Vec<Hit>,
+    parameters: Option<Vec<Uv>>,
+    /// Whether a sample counts; new ones do.
+    counts: Vec<bool>,
+}
+
+/// How a search ended.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Searched {
+    /// The largest value met and the sample where; `None` if no sample counts.
+    pub(super) best: Option<(f64, usize)>,
+    /// How much larger the true extreme can be.
+    pub(super) error: f64,
+}
+
+/// How a search goes.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Search {
+    /// The error to reach, millimetres.
+    pub(super) tolerance: f64,
+    /// Samples that may be added.
+    pub(super) most: usize,
+    /// Edge of the cubes for cutting, millimetres.
+    pub(super) size: f64,
+}
+
+/// Triangles split in the first round: enough to climb to the extreme, so that later rounds need not split what is lower.
+const FIRST_BATCH: usize = 64;
+
+impl<'a> Field<'a> {
+    pub(super) fn new(source: &'a Samples, hits: Vec<Hit>, excluded: &[bool]) -> Self {
+        Self {
+            source,
+            samples: source.samples.clone(),
+            counts: hits.iter().zip(excluded).map(|(hit, out)| hit.t.is_finite() && !out).collect(),
+            hits,
+            parameters: source.parameters(),
+        }
+    }
+
+    /// The extreme of the excess over all triangles whose corners count, by branch and bound: while some triangle could
+    /// exceed what was met by more than the tolerance, the most promising ones are split in four.
+    pub(super) fn search(
+        &mut self,
+        sense: Sense,
+        scene: &Scene,
+        search: Search,
+        stage: &Stage,
+    ) -> Result<Searched, Cancelled> {
+        let round = scene.body.inscribed();
+        let Some(mut best) = self.best(sense, 0, None) else {
+            return Ok(Searched { best: None, error: 0.0 });
+        };
+        if round <= 0.0 {
+            return Ok(Searched { best: Some(best), error: f64::INFINITY });
+        }
+        // What is not worth splitting any more still limits the promise.
+        let mut rest = best.0;
+        let mut open: Vec<(f64, [u32; 3])> = Vec::new();
+        for &triangle in &self.source.triangles {
+            self.file(sense, round, triangle, best.0 + search.tolerance, &mut open, &mut rest);
+        }
+        let mut room = search.most;
+        let mut batch = FIRST_BATCH;
+        let mut waiting = 1.0;
+        loop {
+            let (worth, done): (Vec<_>, Vec<_>) =
+                open.into_iter().partition(|(bound, _)| *bound > best.0 + search.tolerance);
+            rest = done.iter().map(|(bound, _)| *bound).fold(rest, f64::max);
+            open = worth;
+            if open.is_empty() || room < 3 {
+                break;
+            }
+            open.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+            let split: Vec<_> = open.drain(..batch.min(room / 3).min(open.len())).map(|(_, t)| t).collect();
+            // Nobody knows how many rounds there will be: each takes half of what is left of the stage.
+            let part = stage.part("looking between the samples", 1.0 - waiting, 1.0 - 0.5 * waiting);
+            waiting *= 0.5;
+            let begin = self.samples.len();
+            let children = self.split(&split, scene, search.size, &part)?;
+            room -= self.samples.len() - begin;
+            best = self.best(sense, begin, Some(best)).unwrap_or(best);
+            for triangle in children {
+                self.file(sense, round, triangle, best.0 + search.tolerance, &mut open, &mut rest);
+            }
+            batch *= 2;
+        }
+        stage.at(1.0)?;
+        let rest = open.iter().map(|(bound, _)| *bound).fold(rest, f64::max);
+        Ok(Searched { best: Some(best), error: (rest - best.0).max(0.0) })
+    }
+
+    fn best(&self, sense: Sense, from: usize, before: Option<(f64, usize)>) -> Option<(f64, usize)> {
+        (from..self.samples.len()).filter(|&i| self.counts[i]).fold(before, |best, i| {
+            let value = sense.value(self.hits[i].t);
+            if best.is_some_and(|(most, _)| most >= value) { best } else { Some((value, i)) }
+        })
+    }
+
+    /// Puts `triangle` among the open ones if its bound is above `worth`, else into the rest. A triangle with a corner that
+    /// was never reached, or is excluded, is not judged.
+    fn file(
+        &self,
+        sense: Sense,
+        round: f64,
+        triangle: [u32; 3],
+        worth: f64,
+        open: &mut Vec<(f64, [u32; 3])>,
+        rest: &mut f64,
+    ) {
+        let corners = triangle.map(|i| i as usize);
+        if !corners.iter().all(|&i| self.counts[i]) {
+            return;
+        }
+        let bound = bound(sense, corners.map(|i| &self.samples[i]), corners.map(|i| &self.hits[i]), round);
+        if bound > worth {
+            open.push((bound, triangle));
+        } else {
+            *rest = rest.max(bound);
+        }
+    }
+
+    /// Four triangles for each one, with new samples, cut at once, in the middles of their edges.
+    fn split(
+        &mut self,
+        triangles: &[[u32; 3]],
+        scene: &Scene,
+        size: f64,
+        stage: &Stage,
+    ) -> Result<Vec<[u32; 3]>, Cancelled> {
+        let begin = self.samples.len();
+        let mut middles: BTreeMap<(u32, u32), u32> = BTreeMap::new();
+        let mut children = Vec::with_capacity(4 * triangles.len());
+        for &[a, b, c] in triangles {
+            let [ab, bc, ca] = [(a, b), (b, c), (c, a)].map(|(i, j)| {
+                *middles
+                    .entry((i.min(j), i.max(j)))
+                    .or_insert_with(|| self.add_between(i as usize, j as usize))
+            });
+            children.extend([[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]);
+        }
+        let points: Vec<_> = self.samples[begin..].iter().map(|s| s.point).collect();
+        let normals: Vec<_> = self.samples[begin..].iter().map(|s| s.normal).collect();
+        let hits = scene.cut(&points, &normals, size, stage)?;
+        self.counts.extend(hits.iter().map(|hit| hit.t.is_finite()));
+        self.hits.extend(hits);
+        Ok(children)
+    }
+
+    fn add_between(&mut self, i: usize, j: usize) -> u32 {
+        let (a, b) = (self.samples[i], self.samples[j]);
+        let flat = Sample { point: 0.5 * (a.point + b.point), normal: a.normal };
+        let sample = match (&self.source.face, &mut self.parameters) {
+            (Some(face), Some(parameters)) => {
+                let (p, q) = (parameters[i], parameters[j]);
+                let uv = Uv::new(0.5 * (p.u + q.u), 0.5 * (p.v + q.v));
+                parameters.push(uv);
+                face.at(uv).map_or(flat, |(jet, normal)| Sample { point: jet.p, normal })
+            }
+            _ => flat,
+        };
+        self.samples.push(sample);
+        (self.samples.len() - 1) as u32
+    }
+}
