@@ -266,10 +266,12 @@ fn turning_moves_agree_with_brute_force() {
                     distance(t, 0.5 * (lo + hi))
                 };
                 if t.is_infinite() {
-                    assert!(closest(3.0) > -1e-7, "{cutter:?} {sample:?}");
+                    assert!(closest(3.0) > -5e-5, "{cutter:?} {sample:?}");
                 } else {
-                    // Inside just above, outside just below.
-                    assert!(closest(t + 1e-6) < 0.0 && closest(t - 1e-6) > 0.0, "{cutter:?} {sample:?} {t}");
+                    // The promise: the closest approach is found to 0.05 µm.
+                    let there = closest(*t);
+                    assert!((-5e-5..1e-9).contains(&there), "{cutter:?} {sample:?} {t} {there}");
+                    assert!(closest(t - 1e-3) > 0.0, "{cutter:?} {sample:?} {t}");
                 }
             }
         }

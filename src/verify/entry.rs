@@ -38,7 +38,8 @@ pub(super) struct Entry {
 /// The first entry, going up, of `line` into `body` during `piece`; `None` if there is none below the line's upper end.
 ///
 /// With the closest approach `m(t)` over the piece's time, which is convex along the line, Newton's method from below
-/// rises to the first zero and never beyond it; one step from inside lands below it.
+/// rises to the first zero; one step from inside lands below it. A turning body is convex along the line only nearly, so
+/// a step may go too far by the turn times its length: such a step is taken back until the distance itself vanishes.
 pub(super) fn first_entry(body: &Body, piece: &Piece, line: &Line) -> Option<Entry> {
     let x = line.at(line.to);
     let middle = piece.probe(body, 0.5, x, line.direction);
@@ -56,20 +57,34 @@ pub(super) fn first_entry(body: &Body, piece: &Piece, line: &Line) -> Option<Ent
         }
         t = (line.to - top.distance / top.by_line).max(line.from);
     }
+    let inside_at_top = top.distance < -TOUCH;
+    // The highest place known to be outside and below the entry.
+    let mut below = None;
     for _ in 0..MOST_ROUNDS {
         let (at, probe) = closest(body, piece, line, t, s, f64::INFINITY);
         s = at;
-        if probe.distance <= TOUCH {
-            let ball = line.at(t) - probe.gradient * (probe.distance + body.inscribed()).max(0.0);
-            return Some(Entry { t, ball });
+        let (distance, slope) = (probe.distance, probe.by_line);
+        if distance.abs() <= TOUCH || (distance < 0.0 && t <= line.from) {
+            let ball = line.at(t) - probe.gradient * (distance + body.inscribed()).max(0.0);
+            return (t <= line.to - TOUCH).then_some(Entry { t, ball });
         }
-        if probe.by_line >= 0.0 {
-            return None;
-        }
-        t -= probe.distance / probe.by_line;
-        if t > line.to - TOUCH {
-            return None;
-        }
+        let newton = t - distance / slope;
+        t = if distance > 0.0 {
+            below = Some(t);
+            let passes = slope >= 0.0 || newton > line.to - TOUCH;
+            match (passes, inside_at_top) {
+                (false, _) => newton,
+                (true, true) => 0.5 * (t + line.to),
+                (true, false) => return None,
+            }
+        } else {
+            let lowest = below.unwrap_or(line.from);
+            match below {
+                _ if slope < 0.0 && newton > lowest => newton,
+                Some(_) => 0.5 * (t + lowest),
+                None => lowest,
+            }
+        };
     }
     None
 }

@@ -37,8 +37,10 @@ pub(super) struct Search {
     pub(super) size: f64,
 }
 
-/// Triangles split in the first round: enough to climb to the extreme, so that later rounds need not split what is lower.
+/// Triangles split in the first round; twice as many in each round after it.
 const FIRST_BATCH: usize = 64;
+/// Halvings of one triangle in a climb: a 1 mm edge becomes a nanometre.
+const CLIMB: usize = 20;
 
 impl<'a> Field<'a> {
     pub(super) fn new(source: &'a Samples, hits: Vec<Hit>, excluded: &[bool]) -> Self {
@@ -53,6 +55,10 @@ impl<'a> Field<'a> {
 
     /// The extreme of the excess over all triangles whose corners count, by branch and bound: while some triangle could
     /// exceed what was met by more than the tolerance, the most promising ones are split in four.
+    ///
+    /// Each round first climbs: it splits the most promising triangle, the best of its children, and so on. Scallops of one
+    /// height along many passes differ little from one another, but all lie above what coarse samples meet; only once
+    /// their height is known can most of them be left alone.
     pub(super) fn search(
         &mut self,
         sense: Sense,
@@ -85,13 +91,30 @@ impl<'a> Field<'a> {
                 break;
             }
             open.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-            let split: Vec<_> = open.drain(..batch.min(room / 3).min(open.len())).map(|(_, t)| t).collect();
             // Nobody knows how many rounds there will be: each takes half of what is left of the stage.
-            let part = stage.part("looking between the samples", 1.0 - waiting, 1.0 - 0.5 * waiting);
+            // Same monitor and workers below, but no progress of their own.
+            let quiet = stage.part("looking between the samples", 1.0 - waiting, 1.0 - waiting);
             waiting *= 0.5;
             let begin = self.samples.len();
-            let children = self.split(&split, scene, search.size, &part)?;
-            room -= self.samples.len() - begin;
+            let mut children = Vec::new();
+            let mut top = open.remove(0);
+            for _ in 0..CLIMB {
+                let four = self.split(&[top.1], scene, search.size, &quiet)?;
+                best = self.best(sense, begin, Some(best)).unwrap_or(best);
+                let bounds: Vec<f64> = four.iter().map(|t| self.bound(sense, round, *t)).collect();
+                let first = (0..4).fold(0, |a, b| if bounds[b] > bounds[a] { b } else { a });
+                children.extend((0..4).filter(|i| *i != first).map(|i| four[i]));
+                top = (bounds[first], four[first]);
+                if top.0 <= best.0 + 0.25 * search.tolerance {
+                    break;
+                }
+            }
+            children.push(top.1);
+            let room_left = room.saturating_sub(self.samples.len() - begin);
+            let split: Vec<_> =
+                open.drain(..batch.min(room_left / 3).min(open.len())).map(|(_, t)| t).collect();
+            children.extend(self.split(&split, scene, search.size, &quiet)?);
+            room = room.saturating_sub(self.samples.len() - begin);
             best = self.best(sense, begin, Some(best)).unwrap_or(best);
             for triangle in children {
                 self.file(sense, round, triangle, best.0 + search.tolerance, &mut open, &mut rest);
@@ -110,8 +133,16 @@ impl<'a> Field<'a> {
         })
     }
 
-    /// Puts `triangle` among the open ones if its bound is above `worth`, else into the rest. A triangle with a corner that
-    /// was never reached, or is excluded, is not judged.
+    /// The bound over a triangle; minus infinite if a corner was never reached or is excluded: such are not judged.
+    fn bound(&self, sense: Sense, round: f64, triangle: [u32; 3]) -> f64 {
+        let corners = triangle.map(|i| i as usize);
+        if !corners.iter().all(|&i| self.counts[i]) {
+            return f64::NEG_INFINITY;
+        }
+        bound(sense, corners.map(|i| &self.samples[i]), corners.map(|i| &self.hits[i]), round)
+    }
+
+    /// Puts `triangle` among the open ones if its bound is above `worth`, else into the rest.
     fn file(
         &self,
         sense: Sense,
@@ -121,11 +152,7 @@ impl<'a> Field<'a> {
         open: &mut Vec<(f64, [u32; 3])>,
         rest: &mut f64,
     ) {
-        let corners = triangle.map(|i| i as usize);
-        if !corners.iter().all(|&i| self.counts[i]) {
-            return;
-        }
-        let bound = bound(sense, corners.map(|i| &self.samples[i]), corners.map(|i| &self.hits[i]), round);
+        let bound = self.bound(sense, round, triangle);
         if bound > worth {
             open.push((bound, triangle));
         } else {
