@@ -50,14 +50,13 @@ pub(super) fn first_entry(body: &Body, piece: &Piece, line: &Line) -> Option<Ent
         return None;
     }
     let (mut s, top) = closest(body, piece, line, line.to, 0.5, if rises { f64::INFINITY } else { -TOUCH });
-    let mut t = line.from;
-    if top.by_line < 0.0 {
-        if top.distance >= -TOUCH {
-            return None;
-        }
-        t = (line.to - top.distance / top.by_line).max(line.from);
-    }
     let inside_at_top = top.distance < -TOUCH;
+    // Far below the top another time may be closest: by the turn times the length, at most.
+    if !inside_at_top && top.by_line + 2.0 * piece.half_turn() <= 0.0 {
+        return None;
+    }
+    let dives = inside_at_top && top.by_line < 0.0;
+    let mut t = if dives { (line.to - top.distance / top.by_line).max(line.from) } else { line.from };
     // The highest place known to be outside and below the entry.
     let mut below = None;
     for _ in 0..MOST_ROUNDS {
@@ -86,18 +85,21 @@ pub(super) fn first_entry(body: &Body, piece: &Piece, line: &Line) -> Option<Ent
             }
         };
     }
-    None
+    // Not met in practice. The line does enter, so the worst that is consistent with what was seen is reported.
+    let t = below.unwrap_or(line.from);
+    inside_at_top.then(|| Entry { t, ball: DVec3::NAN })
 }
 
 /// The piece's parameter at which the body is closest to `line.at(t)`, searched from the guess `s`, and the probe
-/// there. Stops early once the distance is proved not to fall below `enough`.
+/// there, whose derivative along the line is that of the closest approach. Stops early once the distance is proved not
+/// to fall below `enough`.
 ///
 /// Treats the distance as convex in the parameter; [`Piece`]s are cut so that it is, within their sag.
 fn closest(body: &Body, piece: &Piece, line: &Line, t: f64, s: f64, enough: f64) -> (f64, Probe) {
     let x = line.at(t);
     let look = |s: f64| piece.probe(body, s, x, line.direction);
     let mut best = (s, look(s));
-    let mut ends: [Option<(f64, f64, f64)>; 2] = [None, None];
+    let mut ends: [Option<(f64, Probe)>; 2] = [None, None];
     let mut here = best;
     for round in 0..MOST_ROUNDS {
         let (s, probe) = here;
@@ -109,13 +111,18 @@ fn closest(body: &Body, piece: &Piece, line: &Line, t: f64, s: f64, enough: f64)
         if slope == 0.0 || (slope > 0.0 && s <= 0.0) || (slope < 0.0 && s >= 1.0) {
             return here;
         }
-        ends[usize::from(slope > 0.0)] = Some((s, probe.distance, slope));
+        ends[usize::from(slope > 0.0)] = Some(here);
         let next = match ends {
-            [Some((a, fa, da)), Some((b, fb, db))] => {
+            [Some((a, pa)), Some((b, pb))] => {
+                let (fa, da, fb, db) = (pa.distance, pa.by_time, pb.distance, pb.by_time);
                 // Where the tangents at the two ends meet nothing can be lower.
                 let meet = ((fb - db * b) - (fa - da * a)) / (da - db);
                 let least = fa + da * (meet - a);
                 if best.1.distance - least <= CLOSE || least >= enough || b - a <= f64::EPSILON {
+                    // The mix of the two tangent planes that is level in time is below the distance everywhere; at a
+                    // sharp edge neither plane alone is.
+                    let share = db / (db - da);
+                    best.1.by_line = share * pa.by_line + (1.0 - share) * pb.by_line;
                     return best;
                 }
                 let next = match round % 4 {
@@ -125,9 +132,9 @@ fn closest(body: &Body, piece: &Piece, line: &Line, t: f64, s: f64, enough: f64)
                 };
                 if next > a && next < b { next } else { 0.5 * (a + b) }
             }
-            [Some((a, fa, da)), None] if fa + da * (1.0 - a) < enough => 1.0,
-            [None, Some((b, fb, db))] if fb - db * b < enough => 0.0,
-            _ => return best,
+            [Some((a, p)), None] if p.distance + p.by_time * (1.0 - a) < enough => 1.0,
+            [None, Some((b, p))] if p.distance - p.by_time * b < enough => 0.0,
+            _ => return here,
         };
         here = (next, look(next));
     }
