@@ -43,6 +43,12 @@ impl FaceObstacle {
         Self { face: face.clone(), grid, blocks, cell }
     }
 
+    /// Lowest and highest coordinates of the samples.
+    pub fn bounds(&self) -> (DVec3, DVec3) {
+        let first = self.grid.point(0, 0);
+        self.grid.points().iter().fold((first, first), |(lo, hi), &p| (lo.min(p), hi.max(p)))
+    }
+
     /// How deep the cutter at `cl` reaches into the face beyond the neighbourhood of its contact, mm: 0 or negative.
     ///
     /// The neighbourhood is one and a half cells around `contact`; there the strip tells (see

@@ -2,12 +2,25 @@
 
 mod error;
 mod fields;
+mod gallery;
+mod inspect;
+mod picture;
+mod report;
+mod run;
 mod schema;
+mod shape;
 mod spec;
+mod tool;
 
 pub use error::JobError;
 pub use fields::{Field, GROUPS, Group, Kind, Variant};
+pub use gallery::{Example, gallery, gallery_json};
+pub use inspect::{Inspected, Inspection, inspect};
+pub use picture::Picture;
+pub use report::{Lengths, Report, Unreachable, Verified};
+pub use run::{Outcome, preview, read_program, run};
 pub use schema::schema;
+pub use shape::Shape;
 pub use spec::{
     AlongSpec, CutterSpec, FeedSpec, LinkSpec, OrderSpec, SideSpec, SourceSpec, Spec, StrategySpec,
     ToleranceSpec, VERSION, VerifySpec,

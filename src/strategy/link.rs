@@ -22,7 +22,7 @@ pub type IsClear<'a> = dyn Fn(&ClPoint) -> bool + Sync + 'a;
 
 /// Points at which a crossing is looked at.
 const LOOKS: usize = 16;
-/// Moves of a crossing around the part.
+/// Most moves of a crossing around the part.
 const ARC: usize = 24;
 
 /// A motion with the point where each of its moves ends touching the part.
@@ -37,22 +37,10 @@ pub struct Linked {
 /// The motion along `passes` in their order.
 ///
 /// Between two passes the cutter lifts along its axis, crosses straight to above the next pass and comes down at
-/// plunge feed, if `is_clear` holds all along; otherwise it retracts along its axis out of the ball around the part
-/// (`bounds`, lowest and highest coordinates), goes round on the ball in rapid, and comes back in along the axis.
-pub fn link(
-    passes: &[Pass],
-    cutter: &Cutter,
-    bounds: (DVec3, DVec3),
-    how: &Linking,
-    is_clear: &IsClear,
-) -> Linked {
-    let center = 0.5 * (bounds.0 + bounds.1);
-    let ball = Ball {
-        center,
-        // Cutter locations outside this ball keep the whole cutter off the part: the disc hangs at most a radius below.
-        radius: 0.5 * bounds.0.distance(bounds.1) + 2.0 * cutter.largest_radius() + how.clearance,
-    };
-    let mut linker = Linker { how, ball, linked: Linked::default() };
+/// plunge feed, if `is_clear` holds all along; otherwise it retracts along its axis into the refuge, crosses there in
+/// rapid, and comes back in along the axis.
+pub fn link(passes: &[Pass], how: &Linking, refuge: &Refuge, is_clear: &IsClear) -> Linked {
+    let mut linker = Linker { how, refuge, linked: Linked::default() };
     for pass in passes {
         let (Some(first), Some(_)) = (pass.stations.first(), pass.stations.last()) else { continue };
         match linker.last() {
@@ -66,35 +54,55 @@ pub fn link(
         }
     }
     if let Some(last) = linker.last() {
-        let out = linker.ball.exit(last);
+        let out = linker.refuge.exit(last);
         linker.push(out, Rate::Rapid, Role::Link);
     }
     linker.linked
 }
 
-/// A ball that holds the part and the cutter beside it.
-struct Ball {
-    center: DVec3,
-    radius: f64,
+/// Where the cutter meets nothing, whatever it does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Refuge {
+    /// Outside a ball that holds the part and the cutter beside it.
+    Outside {
+        /// Centre of the ball.
+        center: DVec3,
+        /// Its radius, mm.
+        radius: f64,
+    },
+    /// Above a height, for a cutter that stays upright.
+    Above(f64),
 }
 
-impl Ball {
-    /// Where the cutter leaves the ball, retracting from `cl` along its axis.
-    fn exit(&self, cl: ClPoint) -> ClPoint {
-        let v = cl.tip - self.center;
-        let along = v.dot(cl.axis);
-        let beyond = self.radius * self.radius - v.length_squared();
-        let way = (-along + (along * along + beyond).max(0.0).sqrt()).max(0.0);
-        ClPoint { tip: cl.tip + cl.axis * way, axis: cl.axis }
+impl Refuge {
+    /// Outside a ball around the part between `bounds`, `clearance` mm away from it.
+    pub fn around(bounds: (DVec3, DVec3), cutter: &Cutter, clearance: f64) -> Self {
+        // With its tip outside this ball the whole cutter is off the part: its disc hangs at most a radius below the tip.
+        let radius = 0.5 * bounds.0.distance(bounds.1) + 2.0 * cutter.largest_radius() + clearance;
+        Self::Outside { center: 0.5 * (bounds.0 + bounds.1), radius }
     }
 
-    /// Locations on the way round from `a` to `b`, both on the ball, `b` included.
-    fn around(&self, a: ClPoint, b: ClPoint) -> Vec<ClPoint> {
-        let (from, to) = (a.tip - self.center, b.tip - self.center);
+    /// Where the cutter enters the refuge, retracting from `cl` along its axis.
+    fn exit(&self, cl: ClPoint) -> ClPoint {
+        match *self {
+            Self::Outside { center, radius } => {
+                let v = cl.tip - center;
+                let along = v.dot(cl.axis);
+                let beyond = radius * radius - v.length_squared();
+                raised(cl, (-along + (along * along + beyond).max(0.0).sqrt()).max(0.0))
+            }
+            Self::Above(height) => raised(cl, ((height - cl.tip.z) / cl.axis.z).max(0.0)),
+        }
+    }
+
+    /// Locations on the way from `a` to `b`, both in the refuge, `b` included.
+    fn way(&self, a: ClPoint, b: ClPoint) -> Vec<ClPoint> {
+        let Self::Outside { center, .. } = *self else { return vec![b] };
+        let (from, to) = (a.tip - center, b.tip - center);
         let angle = from.angle_between(to);
         let square = (to - from * (to.dot(from) / from.length_squared()))
             .try_normalize()
-            .unwrap_or_else(|| from.normalize_or_zero().any_orthonormal_vector());
+            .unwrap_or_else(|| from.normalize_or(DVec3::Z).any_orthonormal_vector());
         let steps = ((angle / 0.2).ceil() as usize).clamp(1, ARC);
         // Chords of the arc dip below it; its radius is raised so that they do not.
         let raise = 1.0 / libm::cos(0.5 * angle / steps as f64);
@@ -102,9 +110,8 @@ impl Ball {
             .map(|k| {
                 let t = k as f64 / steps as f64;
                 let (s, c) = libm::sincos(angle * t);
-                let tip = self.center + (from * c + square * (from.length() * s)) * raise;
-                let axis = a.axis.lerp(b.axis, t).try_normalize().unwrap_or(a.axis);
-                ClPoint { tip, axis }
+                let tip = center + (from * c + square * (from.length() * s)) * raise;
+                ClPoint { tip, axis: between(a, b, t).axis }
             })
             .collect();
         way.push(b);
@@ -114,7 +121,7 @@ impl Ball {
 
 struct Linker<'a> {
     how: &'a Linking,
-    ball: Ball,
+    refuge: &'a Refuge,
     linked: Linked,
 }
 
@@ -137,9 +144,9 @@ impl Linker<'_> {
         }
     }
 
-    /// Comes in from outside the ball.
+    /// Comes in from the refuge.
     fn approach(&mut self, to: ClPoint) {
-        self.push(self.ball.exit(to), Rate::Rapid, Role::Link);
+        self.push(self.refuge.exit(to), Rate::Rapid, Role::Link);
         self.push(raised(to, self.how.lift), Rate::Rapid, Role::Link);
         self.push(to, Rate::Feed(self.how.plunge_feed), Role::Link);
     }
@@ -155,9 +162,9 @@ impl Linker<'_> {
             self.push(to, Rate::Feed(self.how.plunge_feed), Role::Link);
             return;
         }
-        let (out, back) = (self.ball.exit(from), self.ball.exit(to));
+        let (out, back) = (self.refuge.exit(from), self.refuge.exit(to));
         self.push(out, Rate::Rapid, Role::Link);
-        for location in self.ball.around(out, back) {
+        for location in self.refuge.way(out, back) {
             self.push(location, Rate::Rapid, Role::Link);
         }
         self.push(over, Rate::Rapid, Role::Link);

@@ -13,4 +13,4 @@ mod walk;
 pub use finish::{Finish, Order, Planned, StrategyError};
 pub use iso_parametric::iso_parametric;
 pub use iso_planar::iso_planar;
-pub use link::{IsClear, Linked, Linking, link};
+pub use link::{IsClear, Linked, Linking, Refuge, link};

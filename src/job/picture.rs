@@ -1,0 +1,56 @@
+//! The shape as triangles to draw, in single precision.
+
+use super::error::JobError;
+use super::shape::Shape;
+use crate::verify::Samples;
+
+/// Triangles to draw.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Picture {
+    /// x, y, z of each vertex, mm.
+    pub positions: Vec<f32>,
+    /// Unit outward normal of each vertex; zero where there is none.
+    pub normals: Vec<f32>,
+    /// Three vertex numbers a triangle.
+    pub indices: Vec<u32>,
+    /// Excess at each vertex, mm; not a number where the path left it uncut. Empty where nothing was verified.
+    pub excess: Vec<f32>,
+}
+
+/// Vertices of a picture, about: what a phone draws without effort.
+const VERTICES: f64 = 40_000.0;
+
+impl Shape {
+    /// Samples of the shape that make a picture of it.
+    pub(super) fn picture_samples(&self) -> Result<Samples, JobError> {
+        let coarse = self.samples(f64::INFINITY)?;
+        match self {
+            Self::Face(_) => self.samples((coarse.area() / VERTICES).sqrt()),
+            Self::Mesh(_) => Ok(coarse),
+        }
+    }
+
+    /// Samples at most `spacing` mm apart.
+    pub(super) fn samples(&self, spacing: f64) -> Result<Samples, JobError> {
+        // Beyond any part; a face then still gets its least grid.
+        let spacing = spacing.min(1e6);
+        match self {
+            Self::Face(face) => Samples::of_face(face, spacing),
+            Self::Mesh(mesh) => Samples::of_mesh(mesh, spacing),
+        }
+        .map_err(|e| JobError::field("verify.spacing_mm", e.to_string()))
+    }
+}
+
+impl Picture {
+    /// The picture of `samples`, with the excess of each if there is any.
+    pub(super) fn new(samples: &Samples, excess: &[f64]) -> Self {
+        let flat = |v: glam::DVec3| v.as_vec3().to_array();
+        Self {
+            positions: samples.samples.iter().flat_map(|s| flat(s.point)).collect(),
+            normals: samples.samples.iter().flat_map(|s| flat(s.normal)).collect(),
+            indices: samples.triangles.iter().flatten().copied().collect(),
+            excess: excess.iter().map(|&e| if e.is_finite() { e as f32 } else { f32::NAN }).collect(),
+        }
+    }
+}

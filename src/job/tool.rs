@@ -1,0 +1,68 @@
+//! From a specification's settings to the core's own types.
+
+use super::error::JobError;
+use super::spec::{CutterSpec, OrderSpec, Spec};
+use crate::cutter::{Cutter, CutterError};
+use crate::strategy::{Finish, Linking, Order};
+use crate::toolpath::Posture;
+
+impl CutterSpec {
+    /// The cutter; errors name the setting.
+    pub fn cutter(&self) -> Result<Cutter, JobError> {
+        let made = match *self {
+            Self::BullNose { diameter_mm, corner_radius_mm, height_mm } => {
+                Cutter::bull_nose(diameter_mm, corner_radius_mm, height_mm)
+            }
+            Self::Ball { diameter_mm, height_mm } => Cutter::ball(diameter_mm, height_mm),
+            Self::Flat { diameter_mm, height_mm } => Cutter::flat(diameter_mm, height_mm),
+            Self::Tapered { diameter_mm, corner_radius_mm, taper_deg, height_mm } => {
+                Cutter::tapered(diameter_mm, corner_radius_mm, taper_deg.to_radians(), height_mm)
+            }
+            Self::Conical { diameter_mm, corner_radius_mm, bottom_deg, height_mm } => {
+                Cutter::conical(diameter_mm, corner_radius_mm, bottom_deg.to_radians(), height_mm)
+            }
+        };
+        made.map_err(|CutterError { field, message }| {
+            let unit = if field == "bottom_angle" || field == "taper" { "deg" } else { "mm" };
+            let field = if field == "bottom_angle" { "bottom" } else { field };
+            JobError::field(&format!("cutter.{field}_{unit}"), message)
+        })
+    }
+}
+
+impl From<OrderSpec> for Order {
+    fn from(order: OrderSpec) -> Self {
+        match order {
+            OrderSpec::Zig => Self::Zig,
+            OrderSpec::Zigzag => Self::ZigZag,
+        }
+    }
+}
+
+/// A posture from degrees.
+pub(super) fn posture(lead_deg: f64, yaw_deg: f64) -> Posture {
+    Posture { lead: lead_deg.to_radians(), yaw: yaw_deg.to_radians() }
+}
+
+impl Spec {
+    /// What the finish must keep.
+    pub fn finish(&self) -> Result<Finish, JobError> {
+        let finish = Finish { scallop: self.tolerance.scallop_mm, chord: self.tolerance.chord_mm };
+        if finish.chord > 0.5 * finish.scallop {
+            let most = 0.5 * finish.scallop;
+            let message = format!("must be at most {most} mm, half of the scallop height");
+            return Err(JobError::field("tolerance.chord_mm", message));
+        }
+        Ok(finish)
+    }
+
+    /// How passes are joined.
+    pub fn linking(&self) -> Linking {
+        Linking {
+            cut_feed: self.feeds.cut_mm_per_min,
+            plunge_feed: self.feeds.plunge_mm_per_min,
+            lift: self.links.lift_mm,
+            clearance: self.links.clearance_mm,
+        }
+    }
+}
