@@ -87,7 +87,7 @@ pub(super) fn first_entry(body: &Body, piece: &Piece, line: &Line) -> Option<Ent
     }
     // Not met in practice. The line does enter, so the worst that is consistent with what was seen is reported.
     let t = below.unwrap_or(line.from);
-    inside_at_top.then(|| Entry { t, ball: DVec3::NAN })
+    inside_at_top.then_some(Entry { t, ball: DVec3::NAN })
 }
 
 /// The piece's parameter at which the body is closest to `line.at(t)`, searched from the guess `s`, and the probe
