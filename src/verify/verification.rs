@@ -190,8 +190,10 @@ fn summarise(
         }
     }
     let area: f64 = weighted.iter().map(|(_, w)| w).sum();
-    let sum_where =
-        |test: &dyn Fn(f64) -> bool| weighted.iter().filter(|(t, _)| test(*t)).map(|(_, w)| w).sum::<f64>();
+    // A sum over nothing is −0 unless it starts from 0.
+    let sum_where = |test: &dyn Fn(f64) -> bool| {
+        weighted.iter().filter(|(t, _)| test(*t)).fold(0.0, |sum, (_, weight)| sum + weight)
+    };
     let uncut_area = sum_where(&|t| t.is_infinite());
     let within = sum_where(&|t| t <= height);
     let [median, q95, q99] = quantiles(&mut weighted, [0.5, 0.95, 0.99]);
