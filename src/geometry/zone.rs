@@ -28,6 +28,20 @@ impl Zone {
         Self { cell, cells, area }
     }
 
+    /// The zone with every cube next to one of its own, over faces, edges and corners; the area stays that of the samples.
+    #[must_use]
+    pub fn grown(&self) -> Self {
+        let around = || (-1..=1).flat_map(|x| (-1..=1).flat_map(move |y| (-1..=1).map(move |z| [x, y, z])));
+        let mut cells: Vec<[i32; 3]> = self
+            .cells
+            .iter()
+            .flat_map(|c| around().map(move |d| [c[0] + d[0], c[1] + d[1], c[2] + d[2]]))
+            .collect();
+        cells.sort_unstable();
+        cells.dedup();
+        Self { cells, ..*self }
+    }
+
     /// A zone that holds nothing.
     pub fn empty() -> Self {
         Self { cell: 1.0, cells: Vec::new(), area: 0.0 }

@@ -7,7 +7,7 @@ use super::walk;
 use super::{Finish, Order, Planned, StrategyError};
 use crate::contact::FaceObstacle;
 use crate::cutter::Cutter;
-use crate::geometry::{Domain, Face, FaceGrid, Field, FieldGrid, IsoLine, Range, Zone};
+use crate::geometry::{Domain, Face, FaceGrid, Field, FieldGrid, IsoLine, Range, Uv, Zone};
 use crate::monitor::{Cancelled, Stage};
 use crate::toolpath::{Pass, Posture};
 
@@ -20,9 +20,8 @@ pub(super) struct Family<'a> {
     pub(super) lines: FieldGrid,
     /// Levels run in here; periodic where the last pass meets the first again.
     levels: Range,
-    /// A step that is right on flat ground, in units of the field, and the strip there, mm.
+    /// A step that is right on flat ground.
     nominal: f64,
-    pub(super) strip: f64,
     pub(super) column_period: Option<f64>,
     order: Order,
 }
@@ -65,8 +64,8 @@ impl<'a> Family<'a> {
             Field::Along(_) => 2.0 * cell,
         };
         let column_period = parameter_range(&domain, column).filter(|r| r.periodic).map(|r| r.length());
-        let setup = Setup { face, obstacle, cutter, posture, finish, field, column };
-        Self { setup, lines, levels, nominal, strip: 2.0 * cell, column_period, order }
+        let setup = Setup { face, obstacle, cutter, posture, finish, field, column, strip: 2.0 * cell };
+        Self { setup, lines, levels, nominal, column_period, order }
     }
 
     /// The passes, from the lowest level to the highest.
@@ -302,38 +301,44 @@ impl<'a> Family<'a> {
         Ok(per_track.into_iter().flatten().collect())
     }
 
-    /// Where the cutter cannot go on the lines of this family.
+    /// Where the cutter cannot go on the lines of this family, and a rim beside it where its strips end.
     fn unreached(&self, stage: &Stage) -> Result<Zone, Cancelled> {
-        let Setup { face, cutter, posture, finish, .. } = &self.setup;
-        let cell = probe_spacing(cutter, *posture, finish);
-        let grid = FaceGrid::new(face, cell, 24, 400);
+        let face = self.setup.face;
+        let grid = FaceGrid::new(face, 0.5 * self.setup.strip, 24, 400);
         let (nu, nv) = grid.size();
-        let rows = stage.map(nv, |j| {
-            (0..nu)
-                .filter(|&i| matches!(self.setup.probe(grid.uv(i, j), false), Probe::Blocked))
-                .map(|i| (grid.point(i, j), node_area(&grid, i, j)))
+        let blocked = |uv| matches!(self.setup.probe(uv, false), Probe::Blocked);
+        let rows = stage
+            .part("Mapping what is unreachable", 0.0, 0.6)
+            .map(nv, |j| (0..nu).map(|i| blocked(grid.uv(i, j))).collect::<Vec<_>>())?;
+        // Cells along the rim, and those that are blocked whole, are looked at more finely.
+        let cells: Vec<(usize, usize)> = (0..nv - 1)
+            .flat_map(|j| (0..nu - 1).map(move |i| (i, j)))
+            .filter(|&(i, j)| rows[j][i] || rows[j][i + 1] || rows[j + 1][i] || rows[j + 1][i + 1])
+            .collect();
+        let found = stage.part("Mapping what is unreachable", 0.6, 1.0).map(cells.len(), |k| {
+            let (i, j) = cells[k];
+            let (low, high) = (grid.uv(i, j), grid.uv(i + 1, j + 1));
+            let at = |a: f64, b: f64, s: usize| a + (b - a) * (s as f64 + 0.5) / FINE as f64;
+            let weight = grid.cell_area(i, j) / (FINE * FINE) as f64;
+            (0..FINE * FINE)
+                .map(|s| Uv::new(at(low.u, high.u, s % FINE), at(low.v, high.v, s / FINE)))
+                .filter(|&uv| blocked(uv))
+                .map(|uv| (face.surface.point(uv), weight))
                 .collect::<Vec<_>>()
         })?;
-        Ok(Zone::from_samples(1.5 * cell, rows.into_iter().flatten()))
+        let cube = self.setup.strip / FINE as f64;
+        Ok(Zone::from_samples(cube, found.into_iter().flatten()).grown())
     }
 }
+
+/// Samples a side of a cell where the rim of the unreachable is mapped.
+const FINE: usize = 3;
 
 impl Candidate {
     /// Whether the cutter can go everywhere on the lines and its strips run over the border everywhere.
     fn runs_over_border(&self, toward: Toward) -> bool {
         self.probes.iter().flatten().all(|p| matches!(p.reach(toward), Some(Reach::Border { .. })))
     }
-}
-
-/// A quarter of the cells around the node.
-fn node_area(grid: &FaceGrid, i: usize, j: usize) -> f64 {
-    let (nu, nv) = grid.size();
-    let cells = |k: usize, n: usize| k.saturating_sub(1)..(k + 1).min(n - 1);
-    cells(j, nv)
-        .flat_map(|b| cells(i, nu).map(move |a| (a, b)))
-        .map(|(a, b)| grid.cell_area(a, b))
-        .sum::<f64>()
-        * 0.25
 }
 
 /// The interval of the parameter that `field` is, if it is one.

@@ -123,7 +123,7 @@ fn column(family: &Family, uv: Uv) -> (f64, DVec3) {
 fn covers(family: &Family, needs: &[Need], uv: Uv) -> bool {
     let (column, point) = column(family, uv);
     // What is abreast lies within a few steps in space; another sheet of a folded face does not.
-    let near = 4.0 * family.strip;
+    let near = 4.0 * family.setup.strip;
     needs.iter().any(|need| {
         let middle = 0.5 * (need.columns.0 + need.columns.1);
         let turns = family.column_period.map_or(0.0, |p| ((middle - column) / p).round() * p);

@@ -20,6 +20,8 @@ pub(super) struct Setup<'a> {
     pub(super) field: Field,
     /// Tells which points of neighbouring passes lie abreast.
     pub(super) column: Field,
+    /// Width of the strip on flat ground, mm.
+    pub(super) strip: f64,
 }
 
 /// How deep the cutter may reach into the face before a contact counts as blocked, mm: half of the micrometre that a

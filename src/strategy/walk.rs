@@ -2,8 +2,8 @@
 
 use super::probe::{GOUGE, Setup};
 use crate::contact::contact_of;
-use crate::geometry::{IsoLine, Uv};
-use crate::toolpath::{ClPoint, Pass, Station};
+use crate::geometry::{IsoLine, Range, Uv};
+use crate::toolpath::{CcPoint, ClPoint, Pass, Station};
 
 /// A station on the line, and whether the cutter can stand there.
 #[derive(Debug, Clone, Copy)]
@@ -91,28 +91,80 @@ impl Walker<'_> {
         let high = self.setup.finish.chord;
         [0.5, 0.25, 0.75].iter().all(|&s| {
             let Some(m) = self.station(ta + (tb - ta) * s) else { return false };
-            (low..=high).contains(&lift(self, &a.station.cl, &b.station.cl, s, &m))
+            let Some(axis) = a.station.cl.axis.lerp(b.station.cl.axis, s).try_normalize() else {
+                return false;
+            };
+            let cl = ClPoint { tip: a.station.cl.tip.lerp(b.station.cl.tip, s), axis };
+            self.lifts(&cl, &m).iter().all(|lift| (low..=high).contains(lift))
+        })
+    }
+
+    /// How far the cutter at `cl` stands above where it stands at the station `m`, mm, negative for below: towards the
+    /// contact, and towards the two edges of its strip, where a roll about the feed counts.
+    fn lifts(&self, cl: &ClPoint, m: &Station) -> [f64; 3] {
+        let cutter = self.setup.cutter;
+        let frame = m.cc.frame;
+        let s = libm::sin(m.cc.posture.lead);
+        // The envelope's slope against the surface at an edge, half a strip away.
+        let across = (s / (cutter.center_radius + cutter.corner_radius * s)).min(1.0);
+        let slope = 0.5 * self.setup.strip * across;
+        [0.0, slope, -slope].map(|slope| {
+            let n = (frame.n + frame.b * slope).normalize();
+            match (contact_of(cutter, cl, n), contact_of(cutter, &m.cl, n)) {
+                (Some(there), Some(here)) => (there - here).dot(n),
+                _ => (cl.tip - m.cl.tip).dot(n),
+            }
         })
     }
 
     /// The clear runs of at least two stations.
     fn split(&self, ats: &[Option<At>]) -> Vec<Pass> {
         let clear = |at: &Option<At>| at.filter(|at| at.clear);
-        ats.chunk_by(|a, b| clear(a).is_some() == clear(b).is_some())
-            .filter(|run| run.len() > 1 && clear(&run[0]).is_some())
-            .map(|run| Pass { stations: run.iter().flatten().map(|at| at.station).collect() })
-            .collect()
+        let mut passes = Vec::new();
+        let mut start = 0;
+        for run in ats.chunk_by(|a, b| clear(a).is_some() == clear(b).is_some()) {
+            if run.len() > 1 && clear(&run[0]).is_some() {
+                let mut stations: Vec<Station> = run.iter().flatten().map(|at| at.station).collect();
+                if start == 0 {
+                    stations.splice(0..0, self.run_out(self.nodes[0], &stations[0], -1.0));
+                }
+                if start + run.len() == ats.len() {
+                    let last = stations[stations.len() - 1];
+                    stations.extend(self.run_out(self.nodes[self.nodes.len() - 1], &last, 1.0));
+                }
+                passes.push(Pass { stations });
+            }
+            start += run.len();
+        }
+        passes
     }
-}
 
-/// How far above the face the cutter passes over the station `m` when it goes straight from `a` to `b` and has done
-/// the share `s` of the move, mm; negative for a gouge.
-fn lift(walker: &Walker, a: &ClPoint, b: &ClPoint, s: f64, m: &Station) -> f64 {
-    let Some(axis) = a.axis.lerp(b.axis, s).try_normalize() else { return f64::INFINITY };
-    let cl = ClPoint { tip: a.tip.lerp(b.tip, s), axis };
-    let n = m.cc.frame.n;
-    match contact_of(walker.setup.cutter, &cl, n) {
-        Some(lowest) => (lowest - m.cc.point).dot(n),
-        None => (cl.tip - m.cc.point).dot(n),
+    /// The station beyond the border at an end of the line, straight on (`toward` +1) or back (−1): so far that the whole
+    /// width of the strip has run over the border, be that met aslant or the strip cut aslant by a yawed cutter. `None`
+    /// where the line does not end on a border, or the cutter would dig in.
+    fn run_out(&self, uv: Uv, end: &Station, toward: f64) -> Option<Station> {
+        let domain = self.setup.face.domain();
+        let jet = self.setup.face.jet(uv);
+        let on = |range: &Range, x: f64| {
+            !range.periodic && (x - range.lo).min(range.hi - x) < 1e-6 * range.length()
+        };
+        let border = if on(&domain.u, uv.u) {
+            jet.dv
+        } else if on(&domain.v, uv.v) {
+            jet.du
+        } else {
+            return None;
+        };
+        let frame = end.cc.frame;
+        // The border leans by the first, the strip by the second; where either is extreme, going all the way would cost
+        // more than it finishes.
+        let border_lean = (border.dot(frame.f) / border.dot(frame.b)).abs();
+        let strip_lean = libm::tan(end.cc.posture.yaw).abs();
+        let lean = [border_lean, strip_lean].map(|l| if l < 6.0 { l } else { 0.0 });
+        let way = self.setup.strip * (0.15 + 0.6 * (lean[0] + lean[1]));
+        let by = frame.f * (toward * way);
+        let cc = CcPoint { point: end.cc.point + by, ..end.cc };
+        let station = Station { cc, cl: ClPoint { tip: end.cl.tip + by, ..end.cl } };
+        self.setup.is_clear(&station).then_some(station)
     }
 }
