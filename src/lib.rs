@@ -31,6 +31,8 @@
 //! the strip that one contact point finishes, [`strategy`] for how strips become passes, [`verify`] for
 //! the proof, [`job`] for how a specification becomes a result.
 
+#[cfg(not(target_arch = "wasm32"))]
+pub mod cli;
 pub mod contact;
 pub mod cutter;
 pub mod geometry;
@@ -42,3 +44,5 @@ pub mod post;
 pub mod strategy;
 pub mod toolpath;
 pub mod verify;
+#[cfg(target_arch = "wasm32")]
+pub mod wasm;

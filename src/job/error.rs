@@ -66,3 +66,13 @@ impl From<StrategyError> for JobError {
         }
     }
 }
+
+/// The error as JSON `{code, message, field?}`, for programs.
+pub fn error_json(error: &JobError) -> String {
+    let mut object = serde_json::json!({ "code": error.code(), "message": error.to_string() });
+    if let JobError::Field { field, message } = error {
+        object["field"] = field.as_str().into();
+        object["message"] = message.as_str().into();
+    }
+    object.to_string()
+}

@@ -32,6 +32,14 @@ pub struct Inspected {
     pub bounds_mm: [[f64; 3]; 2],
 }
 
+impl Inspection {
+    /// As JSON text.
+    pub fn to_json(&self) -> String {
+        // Strings and finite numbers always have a JSON form.
+        serde_json::to_string(self).unwrap_or_default()
+    }
+}
+
 /// What is inside the file `name` with the content `bytes`.
 pub fn inspect(name: &str, bytes: &[u8]) -> Result<Inspection, JobError> {
     let part = import::read(name, bytes).map_err(|e| JobError::Import(format!("{name}: {e}")))?;

@@ -11,17 +11,20 @@ mod schema;
 mod shape;
 mod spec;
 mod tool;
+mod verify_text;
 
-pub use error::JobError;
+pub use error::{JobError, error_json};
 pub use fields::{Field, GROUPS, Group, Kind, Variant};
 pub use gallery::{Example, gallery, gallery_json};
 pub use inspect::{Inspected, Inspection, inspect};
 pub use picture::Picture;
 pub use report::{Lengths, Report, Unreachable, Verified};
-pub use run::{Outcome, preview, read_program, run};
+pub use run::{Plan, Proof, plan, preview};
 pub use schema::schema;
 pub use shape::Shape;
 pub use spec::{
     AlongSpec, CutterSpec, FeedSpec, LinkSpec, OrderSpec, SideSpec, SourceSpec, Spec, StrategySpec,
     ToleranceSpec, VERSION, VerifySpec,
 };
+pub use tool::outline;
+pub use verify_text::verify_text;

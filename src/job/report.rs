@@ -83,6 +83,22 @@ pub struct Verified {
     pub excluded_area_mm2: f64,
 }
 
+impl Report {
+    /// As JSON text.
+    pub fn to_json(&self) -> String {
+        // Strings and numbers always have a JSON form.
+        serde_json::to_string_pretty(self).unwrap_or_default()
+    }
+}
+
+impl Verified {
+    /// As JSON text.
+    pub fn to_json(&self) -> String {
+        // Numbers always have a JSON form.
+        serde_json::to_string_pretty(self).unwrap_or_default()
+    }
+}
+
 impl From<&Statistics> for Verified {
     fn from(s: &Statistics) -> Self {
         let value = |e: &Option<Extreme>| e.map(|e| e.excess);

@@ -12,37 +12,45 @@ use crate::geometry::{Along, Face, Zone};
 use crate::monitor::Stage;
 use crate::post::{self, Program};
 use crate::strategy::{self, Linked, Planned, Refuge};
-use crate::toolpath::Toolpath;
-use crate::verify::{self, Options};
+use crate::verify::{self, Options, Samples, Verification, VerifyError};
 use glam::DVec3;
 
-/// A job's result.
+/// A planned path and the program that states it, not yet proven.
 #[derive(Debug, Clone)]
-pub struct Outcome {
-    /// In numbers.
-    pub report: Report,
+pub struct Plan {
+    spec: Spec,
+    shape: Shape,
+    planned: Planned,
+    warnings: Vec<String>,
     /// The program as APT cutter-location text.
     pub apt: String,
     /// The program as G-code, for a three-axis path.
     pub nc: Option<String>,
     /// The path as a table.
     pub csv: String,
-    /// The motion as it was emitted, with the touching points.
-    pub linked: Linked,
-    /// What the cutter cannot reach.
-    pub unreached: Zone,
+    /// The program as its own text states it.
+    pub emitted: Program,
+    /// For every move of the program where the cutter touches at its end, or its tip where it touches nothing.
+    pub contacts: Vec<DVec3>,
+}
+
+/// What the simulation gives.
+#[derive(Debug, Clone)]
+pub struct Proof {
+    /// In numbers.
+    pub verified: Verified,
     /// The shape with its excess, to draw.
     pub picture: Picture,
 }
 
-/// Plans, writes, reads back and proves the job of `spec`; `bytes` is the content of its file, if its source is one.
+/// Plans the job of `spec` and writes its program; `bytes` is the content of its file, if its source is one.
 ///
-/// The same specification and bytes give the same outcome on every target and for any number of workers.
-pub fn run(spec: &Spec, bytes: Option<&[u8]>, stage: &Stage) -> Result<Outcome, JobError> {
+/// The same specification and bytes give the same program on every target and for any number of workers.
+pub fn plan(spec: &Spec, bytes: Option<&[u8]>, stage: &Stage) -> Result<Plan, JobError> {
     stage.part("Reading the shape", 0.0, 0.02).at(0.0)?;
     let cutter = spec.cutter.cutter()?;
     let (shape, mut warnings) = spec.source.shape(bytes)?;
-    let planning = stage.part("Planning", 0.02, 0.7);
+    let planning = stage.part("Planning", 0.02, 0.95);
     let (planned, linked) = match &shape {
         Shape::Face(face) => on_face(spec, face, &cutter, &planning)?,
         Shape::Mesh(_) => return Err(JobError::Strategy("meshes come next".into())),
@@ -53,38 +61,91 @@ pub fn run(spec: &Spec, bytes: Option<&[u8]>, stage: &Stage) -> Result<Outcome, 
         cutter,
         tool: 1,
         spindle_rpm: Some(spec.feeds.spindle_rpm),
-        toolpath: linked.toolpath.clone(),
+        toolpath: linked.toolpath,
     };
-    stage.part("Writing the program", 0.7, 0.72).at(0.0)?;
+    stage.part("Writing the program", 0.95, 1.0).at(0.0)?;
     let apt = post::apt::write(&program);
     let emitted =
         post::apt::read(&apt).map_err(|e| JobError::Post(format!("the program does not read back: {e}")))?;
-    let nc = post::gcode::write(&program).ok();
-    let csv = post::csv::write(&emitted.toolpath);
-    let proof =
-        prove(spec, &shape, &emitted, &planned.unreached, &stage.part("Cutting in simulation", 0.72, 1.0))?;
     if planned.unreached.area() > 0.0 {
         warnings.push(format!(
             "the cutter cannot reach {:.2} mm² in this posture; a smaller cutter or another lead may",
             planned.unreached.area()
         ));
     }
-    let report = Report {
-        version: VERSION,
-        name: spec.name.clone(),
-        strategy: spec.strategy.kind().into(),
-        scallop_mm: spec.tolerance.scallop_mm,
-        length: Lengths::of(&emitted.toolpath),
-        passes: planned.passes.len(),
-        points: emitted.toolpath.moves.len(),
-        time_min: minutes(&emitted, spec.feeds.rapid_mm_per_min),
-        area_mm2: proof.area,
-        unreachable: Unreachable { area_mm2: planned.unreached.area(), cell_mm: planned.unreached.cell() },
-        verified: proof.verified,
-        warnings,
-    };
     stage.at(1.0)?;
-    Ok(Outcome { report, apt, nc, csv, linked, unreached: planned.unreached, picture: proof.picture })
+    Ok(Plan {
+        spec: spec.clone(),
+        shape,
+        planned,
+        warnings,
+        nc: post::gcode::write(&program).ok(),
+        csv: post::csv::write(&emitted.toolpath),
+        apt,
+        emitted,
+        contacts: linked.contacts,
+    })
+}
+
+impl Plan {
+    /// What the cutter cannot reach.
+    pub fn unreached(&self) -> &Zone {
+        &self.planned.unreached
+    }
+
+    /// Cuts the shape with the motion that was read back from the text; `None` if the specification does not ask for it.
+    pub fn prove(&self, stage: &Stage) -> Result<Option<Proof>, JobError> {
+        let verify = &self.spec.verify;
+        if !verify.enabled {
+            return Ok(None);
+        }
+        let unreached = &self.planned.unreached;
+        let picture = self.shape.picture_samples()?;
+        let samples = self.shape.samples(verify.spacing_mm)?;
+        let scallop = self.spec.tolerance.scallop_mm;
+        let options = Options {
+            excluded: (!unreached.is_empty()).then_some(unreached),
+            ..Options::for_height(scallop, &self.emitted.cutter)
+        };
+        let drawn = Options { most_refined: 0, ..options };
+        let shown = self.cut(&picture, &drawn, &stage.part("Cutting the picture", 0.0, 0.15))?;
+        let proof = self.cut(&samples, &options, &stage.part("Cutting in simulation", 0.15, 1.0))?;
+        Ok(Some(Proof {
+            verified: Verified::from(&proof.statistics),
+            picture: Picture::new(&picture, &shown.excess),
+        }))
+    }
+
+    fn cut(&self, samples: &Samples, options: &Options, stage: &Stage) -> Result<Verification, JobError> {
+        verify::verify(&self.emitted.cutter, &self.emitted.toolpath, samples, options, stage).map_err(|e| {
+            match e {
+                VerifyError::Cancelled(cancelled) => JobError::Cancelled(cancelled),
+                other => JobError::Post(format!("the program cannot be proven: {other}")),
+            }
+        })
+    }
+
+    /// The plan in numbers, with those of `proof` if there is one.
+    pub fn report(&self, proof: Option<&Proof>) -> Result<Report, JobError> {
+        let Self { spec, planned, emitted, .. } = self;
+        Ok(Report {
+            version: VERSION,
+            name: spec.name.clone(),
+            strategy: spec.strategy.kind().into(),
+            scallop_mm: spec.tolerance.scallop_mm,
+            length: Lengths::of(&emitted.toolpath),
+            passes: planned.passes.len(),
+            points: emitted.toolpath.moves.len(),
+            time_min: minutes(emitted, spec.feeds.rapid_mm_per_min),
+            area_mm2: self.shape.picture_samples()?.area(),
+            unreachable: Unreachable {
+                area_mm2: planned.unreached.area(),
+                cell_mm: planned.unreached.cell(),
+            },
+            verified: proof.map(|p| p.verified.clone()),
+            warnings: self.warnings.clone(),
+        })
+    }
 }
 
 fn on_face(spec: &Spec, face: &Face, cutter: &Cutter, stage: &Stage) -> Result<(Planned, Linked), JobError> {
@@ -119,44 +180,6 @@ fn on_face(spec: &Spec, face: &Face, cutter: &Cutter, stage: &Stage) -> Result<(
     Ok((planned, linked))
 }
 
-/// What the simulation gives.
-struct Proof {
-    area: f64,
-    verified: Option<Verified>,
-    picture: Picture,
-}
-
-/// Cuts the shape with the motion that was read back from the text.
-fn prove(
-    spec: &Spec,
-    shape: &Shape,
-    emitted: &Program,
-    unreached: &Zone,
-    stage: &Stage,
-) -> Result<Proof, JobError> {
-    let picture = shape.picture_samples()?;
-    if !spec.verify.enabled {
-        return Ok(Proof { area: picture.area(), verified: None, picture: Picture::new(&picture, &[]) });
-    }
-    let samples = shape.samples(spec.verify.spacing_mm)?;
-    let excluded = (!unreached.is_empty()).then_some(unreached);
-    let options = Options { excluded, ..Options::for_height(spec.tolerance.scallop_mm, &emitted.cutter) };
-    let cut = |samples, options: &Options, stage: &Stage| {
-        verify::verify(&emitted.cutter, &emitted.toolpath, samples, options, stage).map_err(|e| match e {
-            verify::VerifyError::Cancelled(cancelled) => JobError::Cancelled(cancelled),
-            other => JobError::Post(format!("the program cannot be proven: {other}")),
-        })
-    };
-    let proof = cut(&samples, &options, &stage.part("Cutting in simulation", 0.0, 0.85))?;
-    let drawn = Options { most_refined: 0, ..options };
-    let shown = cut(&picture, &drawn, &stage.part("Drawing what is left", 0.85, 1.0))?;
-    Ok(Proof {
-        area: samples.area(),
-        verified: Some(Verified::from(&proof.statistics)),
-        picture: Picture::new(&picture, &shown.excess),
-    })
-}
-
 /// The shape of `spec` to draw before anything is planned.
 pub fn preview(spec: &Spec, bytes: Option<&[u8]>) -> Result<Picture, JobError> {
     let (shape, _) = spec.source.shape(bytes)?;
@@ -172,10 +195,4 @@ impl StrategySpec {
             Self::Raster { .. } => "raster",
         }
     }
-}
-
-/// The motion and cutter of an APT text.
-pub fn read_program(apt: &str) -> Result<(Cutter, Toolpath), JobError> {
-    let program = post::apt::read(apt).map_err(|e| JobError::Post(e.to_string()))?;
-    Ok((program.cutter, program.toolpath))
 }

@@ -66,3 +66,26 @@ impl Spec {
         }
     }
 }
+
+/// Stretches of the corner in [`outline`].
+const OUTLINE: usize = 24;
+
+/// The outline of the cutter of `spec` from its tip outwards and up to its height, as flat pairs of radius and height (mm),
+/// for drawing.
+pub fn outline(spec: &Spec) -> Result<Vec<f32>, JobError> {
+    let cutter = spec.cutter.cutter()?;
+    let end = cutter.corner_end();
+    let mut flat = vec![0.0, 0.0];
+    for k in 0..=OUTLINE {
+        let t = k as f64 / OUTLINE as f64;
+        // Even in angle from where the bottom line ends to where the side begins.
+        let angle =
+            cutter.bottom_angle + (std::f64::consts::FRAC_PI_2 - cutter.taper - cutter.bottom_angle) * t;
+        let (s, c) = libm::sincos(angle);
+        flat.push(cutter.center_radius + cutter.corner_radius * s);
+        flat.push(cutter.center_height - cutter.corner_radius * c);
+    }
+    flat.push(end.0 + (cutter.height - end.1) * libm::tan(cutter.taper));
+    flat.push(cutter.height);
+    Ok(flat.into_iter().map(|x| x as f32).collect())
+}

@@ -1,0 +1,193 @@
+//! The boundary to the page: decodes, calls [`crate::job`], encodes. No arithmetic lives here.
+//!
+//! Specifications, reports and lists travel as JSON text, geometry as flat typed arrays. Errors are thrown as a string
+//! that holds JSON `{code, message, field?}`.
+
+use crate::job::{self, JobError, Picture, Plan, Proof, Spec};
+use crate::monitor::{Monitor, Stage};
+use crate::toolpath::{Rate, Role};
+use js_sys::{Float32Array, Function, Uint32Array};
+use std::cell::RefCell;
+use std::num::NonZeroUsize;
+use wasm_bindgen::prelude::*;
+
+thread_local! {
+    /// Whom the running call tells its progress. A static, since a monitor must be shareable and a function is not.
+    static LISTENER: RefCell<Option<Function>> = const { RefCell::new(None) };
+}
+
+/// Passes progress on to the page. Cancelling is not asked here: the page ends the whole worker.
+struct Page;
+
+impl Monitor for Page {
+    fn progress(&self, phase: &str, fraction: f64) {
+        LISTENER.with_borrow(|listener| {
+            if let Some(listener) = listener {
+                // A listener that throws loses its progress, not the plan.
+                let _ = listener.call2(&JsValue::NULL, &phase.into(), &fraction.into());
+            }
+        });
+    }
+
+    fn is_cancelled(&self) -> bool {
+        false
+    }
+}
+
+fn watched<T>(listener: Function, work: impl FnOnce(&Stage) -> Result<T, JobError>) -> Result<T, JsValue> {
+    LISTENER.set(Some(listener));
+    let done = work(&Stage::whole(&Page, NonZeroUsize::MIN));
+    LISTENER.set(None);
+    done.map_err(thrown)
+}
+
+fn thrown(error: JobError) -> JsValue {
+    job::error_json(&error).into()
+}
+
+fn positions(picture: &Picture) -> Float32Array {
+    Float32Array::from(&picture.positions[..])
+}
+
+/// Puts a panic's text on the console.
+#[wasm_bindgen(start)]
+pub fn start() {
+    console_error_panic_hook::set_once();
+}
+
+/// The schema that forms are made from, as JSON.
+#[wasm_bindgen]
+pub fn schema() -> String {
+    job::schema()
+}
+
+/// The gallery, as a JSON list of `{id, spec}`.
+#[wasm_bindgen]
+pub fn gallery() -> String {
+    job::gallery_json()
+}
+
+/// What is inside a file, as JSON.
+#[wasm_bindgen]
+pub fn inspect(name: &str, bytes: &[u8]) -> Result<String, JsValue> {
+    job::inspect(name, bytes).map(|found| found.to_json()).map_err(thrown)
+}
+
+/// The outline of the cutter of a specification, as `radius, height` pairs in mm from the tip outwards and up.
+#[wasm_bindgen]
+pub fn outline(spec: &str) -> Result<Float32Array, JsValue> {
+    let outline = Spec::from_json(spec).and_then(|spec| job::outline(&spec)).map_err(thrown)?;
+    Ok(Float32Array::from(&outline[..]))
+}
+
+/// A shape to draw.
+#[wasm_bindgen]
+pub struct Preview(Picture);
+
+#[wasm_bindgen]
+impl Preview {
+    /// x, y, z a vertex, mm.
+    pub fn positions(&self) -> Float32Array {
+        positions(&self.0)
+    }
+    /// Unit outward normal a vertex.
+    pub fn normals(&self) -> Float32Array {
+        Float32Array::from(&self.0.normals[..])
+    }
+    /// Three vertex numbers a triangle.
+    pub fn indices(&self) -> Uint32Array {
+        Uint32Array::from(&self.0.indices[..])
+    }
+    /// Excess a vertex, mm, not a number where uncut; empty before the proof.
+    pub fn excess(&self) -> Float32Array {
+        Float32Array::from(&self.0.excess[..])
+    }
+}
+
+/// The shape of a specification, before anything is planned.
+#[wasm_bindgen]
+pub fn preview(spec: &str, bytes: Option<Vec<u8>>) -> Result<Preview, JsValue> {
+    let picture = Spec::from_json(spec).and_then(|spec| job::preview(&spec, bytes.as_deref()));
+    picture.map(Preview).map_err(thrown)
+}
+
+/// A planned path, and its proof once [`Outcome::prove`] was called.
+#[wasm_bindgen]
+pub struct Outcome {
+    plan: Plan,
+    proof: Option<Proof>,
+}
+
+/// Plans a specification and writes its program; `progress(phase, fraction)` is told how far it is.
+#[wasm_bindgen]
+pub fn plan(spec: &str, bytes: Option<Vec<u8>>, progress: Function) -> Result<Outcome, JsValue> {
+    watched(progress, |stage| {
+        let plan = job::plan(&Spec::from_json(spec)?, bytes.as_deref(), stage)?;
+        Ok(Outcome { plan, proof: None })
+    })
+}
+
+#[wasm_bindgen]
+impl Outcome {
+    /// Cuts the shape with the emitted program; afterwards the report holds what it found.
+    pub fn prove(&mut self, progress: Function) -> Result<(), JsValue> {
+        self.proof = watched(progress, |stage| self.plan.prove(stage))?;
+        Ok(())
+    }
+
+    /// The report as JSON.
+    pub fn report(&self) -> Result<String, JsValue> {
+        self.plan.report(self.proof.as_ref()).map(|report| report.to_json()).map_err(thrown)
+    }
+
+    /// Eight numbers a move: tip x, y, z (mm), axis i, j, k, kind (0 cut, 1 link at feed, 2 rapid), length so far (mm).
+    pub fn path(&self) -> Float32Array {
+        let moves = &self.plan.emitted.toolpath.moves;
+        let mut length = 0.0;
+        let mut flat = Vec::with_capacity(8 * moves.len());
+        for (i, m) in moves.iter().enumerate() {
+            length += if i > 0 { m.to.tip.distance(moves[i - 1].to.tip) } else { 0.0 };
+            let kind = match (m.role, m.rate) {
+                (_, Rate::Rapid) => 2.0,
+                (Role::Link, _) => 1.0,
+                (Role::Cut, _) => 0.0,
+            };
+            flat.extend(m.to.tip.as_vec3().to_array());
+            flat.extend(m.to.axis.as_vec3().to_array());
+            flat.extend([kind, length as f32]);
+        }
+        Float32Array::from(&flat[..])
+    }
+
+    /// x, y, z a move: where the cutter touches at its end, or its tip where it touches nothing.
+    pub fn contacts(&self) -> Float32Array {
+        let flat: Vec<f32> = self.plan.contacts.iter().flat_map(|p| p.as_vec3().to_array()).collect();
+        Float32Array::from(&flat[..])
+    }
+
+    /// x, y, z of the cubes that hold what the cutter cannot reach.
+    pub fn zones(&self) -> Float32Array {
+        let flat: Vec<f32> = self.plan.unreached().centers().flat_map(|p| p.as_vec3().to_array()).collect();
+        Float32Array::from(&flat[..])
+    }
+
+    /// The shape with its excess; nothing before the proof.
+    pub fn picture(&self) -> Option<Preview> {
+        self.proof.as_ref().map(|proof| Preview(proof.picture.clone()))
+    }
+
+    /// The program as APT text.
+    pub fn apt(&self) -> String {
+        self.plan.apt.clone()
+    }
+
+    /// The program as G-code, for a three-axis path.
+    pub fn nc(&self) -> Option<String> {
+        self.plan.nc.clone()
+    }
+
+    /// The path as a table.
+    pub fn csv(&self) -> String {
+        self.plan.csv.clone()
+    }
+}
