@@ -17,3 +17,8 @@ pub use place::{axis, center, cl_of, contact_of};
 pub use relative::{cutter_curvature, second_order_strip_width};
 pub use strip_model::{ModelStrip, model_strip};
 pub use strip_surface::{Edge, FaceStrip, StripLimits, face_strip};
+//! A cutter against a surface at one point.
+
+mod drop;
+
+pub use drop::{DropMesh, Feature, Touch, Underside, drop_cutter};

@@ -1,4 +1,5 @@
 //! Numbers and space, without a word of machining.
 
+pub mod bvh;
 pub mod frame;
 pub mod root;

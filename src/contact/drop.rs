@@ -1,0 +1,208 @@
+//! A cutter with an upright axis, lowered on a mesh until it touches.
+//!
+//! The tip comes to rest at the highest `z − height(ρ)` over all points of the mesh under the cutter, `ρ` being their
+//! distance from the axis. The underside is convex, so over a triangle this is concave: it has one maximum, inside the
+//! triangle, or else on an edge, where again it has one. Every APT cutter is treated alike and exactly.
+
+mod edge;
+mod lid;
+mod underside;
+
+use crate::geometry::TriMesh;
+use crate::math::bvh::{Aabb, Bvh};
+use edge::{EdgeTouch, Spot, touch_edge};
+use glam::{DVec2, DVec3};
+use lid::Lid;
+pub use underside::Underside;
+
+/// What of the mesh a lowered cutter touches, by the mesh's own numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Feature {
+    /// The inside of a triangle.
+    Facet(u32),
+    /// The inside of the edge between two vertices.
+    Edge(u32, u32),
+    /// A vertex.
+    Vertex(u32),
+}
+
+/// A cutter at rest on a mesh.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Touch {
+    /// Height of the tip, mm.
+    pub tip_z: f64,
+    /// Where the cutter touches.
+    pub point: DVec3,
+    /// The common unit normal there, from the material to the cutter: the facet's, or the underside's where an edge
+    /// or a vertex is touched. Where a sharp corner of the cutter sits on a vertex, the lowest of those possible.
+    pub normal: DVec3,
+    /// What is touched.
+    pub feature: Feature,
+}
+
+/// A triangle's plane.
+#[derive(Debug, Clone, Copy)]
+struct Plane {
+    /// A corner of the triangle.
+    anchor: DVec3,
+    gradient: DVec2,
+    /// Length of the gradient; infinite for an upright or collapsed triangle, of which only the edges count.
+    slope: f64,
+    /// √(1 + slope²).
+    stretch: f64,
+}
+
+/// A triangle whose normal is this close to level is upright: its shadow is thinner than rounding.
+const UPRIGHT: f64 = 1e-12;
+
+impl Plane {
+    fn new([a, b, c]: &[DVec3; 3]) -> Self {
+        let n = (b - a).cross(c - a);
+        if n.z.abs() <= UPRIGHT * n.length() {
+            let (slope, stretch) = (f64::INFINITY, f64::INFINITY);
+            return Self { anchor: *a, gradient: DVec2::ZERO, slope, stretch };
+        }
+        let gradient = -n.truncate() / n.z;
+        let slope = gradient.length();
+        Self { anchor: *a, gradient, slope, stretch: (1.0 + slope * slope).sqrt() }
+    }
+}
+
+/// A mesh made ready for lowering cutters on it.
+#[derive(Debug, Clone)]
+pub struct DropMesh {
+    tree: Bvh,
+    lids: Vec<Lid>,
+    /// By place in the tree's order, as all below.
+    planes: Vec<Plane>,
+    corners: Vec<[DVec3; 3]>,
+    vertices: Vec<[u32; 3]>,
+}
+
+/// Triangles a leaf. Of 1, 2, 4 and 8, four was the fastest on meshes of 5,000 and 500,000 triangles.
+const LEAF: usize = 4;
+
+impl DropMesh {
+    /// Prepares `mesh`. Which way its triangles face does not matter.
+    pub fn new(mesh: &TriMesh) -> Self {
+        let boxes: Vec<Aabb> =
+            (0..mesh.triangles.len()).map(|i| Aabb::around(mesh.corners(i))).collect();
+        let tree = Bvh::new(&boxes, LEAF);
+        let corners: Vec<_> = tree.order().iter().map(|&i| mesh.corners(i as usize)).collect();
+        Self {
+            lids: lid::lids(&tree, &corners),
+            planes: corners.iter().map(Plane::new).collect(),
+            vertices: tree.order().iter().map(|&i| mesh.triangles[i as usize]).collect(),
+            corners,
+            tree,
+        }
+    }
+
+    /// The tree over the triangles.
+    pub fn tree(&self) -> &Bvh {
+        &self.tree
+    }
+}
+
+/// The cutter with its axis at `(x, y)`, pointing up, lowered on `mesh` until it touches; `None` where its shadow meets
+/// no triangle.
+///
+/// Exact to rounding, about 1e-10 mm: never lower than the mesh allows by more. Of several contacts at the same height
+/// one is named. The time does not grow with the number of triangles under the cutter.
+pub fn drop_cutter(mesh: &DropMesh, under: &Underside, x: f64, y: f64) -> Option<Touch> {
+    let axis = DVec2::new(x, y);
+    let mut rest: Option<Rest> = None;
+    let bound = |node: usize| mesh.lids[node].bound(under, axis);
+    mesh.tree.highest(f64::NEG_INFINITY, bound, |places, mut best| {
+        for place in places {
+            if let Some(found) = touch_triangle(mesh, under, axis, place, best) {
+                best = found.tip();
+                rest = Some(found);
+            }
+        }
+        best
+    });
+    rest.map(|rest| rest.touch(mesh, under, axis))
+}
+
+/// The best contact so far.
+enum Rest {
+    Facet { place: usize, tip: f64, point: DVec3 },
+    Edge { place: usize, side: usize, on: EdgeTouch },
+}
+
+/// The cutter on the triangle at `place`, if that is higher than `floor`.
+fn touch_triangle(mesh: &DropMesh, under: &Underside, axis: DVec2, place: usize, floor: f64) -> Option<Rest> {
+    let plane = &mesh.planes[place];
+    let corners = &mesh.corners[place];
+    if plane.slope < f64::INFINITY {
+        let level = plane.anchor.z + plane.gradient.dot(axis - plane.anchor.truncate());
+        // The plane is touched no lower than the part of it that is the triangle.
+        if level + under.lift(plane.slope, plane.stretch) <= floor {
+            return None;
+        }
+        let radius = under.radius_of_slope(plane.slope, plane.stretch);
+        let uphill = if radius > 0.0 { plane.gradient * (radius / plane.slope) } else { DVec2::ZERO };
+        let at = axis + uphill;
+        if holds(corners, at) {
+            let z = plane.anchor.z + plane.gradient.dot(at - plane.anchor.truncate());
+            // Extrapolation over a steep sliver may overshoot.
+            let z = z.min(corners[0].z.max(corners[1].z).max(corners[2].z));
+            let tip = z - under.height(radius);
+            return (tip > floor).then_some(Rest::Facet { place, tip, point: at.extend(z) });
+        }
+    }
+    let mut best = floor;
+    let mut rest = None;
+    for side in 0..3 {
+        if let Some(on) = touch_edge(under, axis, (corners[side], corners[(side + 1) % 3]), best) {
+            best = on.tip;
+            rest = Some(Rest::Edge { place, side, on });
+        }
+    }
+    rest
+}
+
+/// Whether the shadow of the triangle holds `p`.
+fn holds(corners: &[DVec3; 3], p: DVec2) -> bool {
+    let [a, b, c] = corners.map(|q| q.truncate() - p);
+    let turns = [a.perp_dot(b), b.perp_dot(c), c.perp_dot(a)];
+    turns.iter().all(|t| *t >= 0.0) || turns.iter().all(|t| *t <= 0.0)
+}
+
+impl Rest {
+    fn tip(&self) -> f64 {
+        match self {
+            Self::Facet { tip, .. } => *tip,
+            Self::Edge { on, .. } => on.tip,
+        }
+    }
+
+    fn touch(&self, mesh: &DropMesh, under: &Underside, axis: DVec2) -> Touch {
+        let outward = |point: DVec3| (point.truncate() - axis).normalize_or_zero();
+        // Where the underside rises outwards by `slope`, its normal into the cutter leans to the axis.
+        let normal = |point: DVec3, slope: f64| {
+            let flat = -outward(point);
+            if slope < f64::INFINITY { (flat * slope).extend(1.0).normalize() } else { flat.extend(0.0) }
+        };
+        match *self {
+            Self::Facet { place, tip, point } => Touch {
+                tip_z: tip,
+                point,
+                normal: (-mesh.planes[place].gradient).extend(1.0).normalize(),
+                feature: Feature::Facet(mesh.tree.order()[place]),
+            },
+            Self::Edge { place, side, on } => {
+                let ends = [mesh.vertices[place][side], mesh.vertices[place][(side + 1) % 3]];
+                let (slope, feature) = match on.spot {
+                    Spot::Between(slope) => (slope, Feature::Edge(ends[0], ends[1])),
+                    Spot::Corner(i) => {
+                        let radius = (on.point.truncate() - axis).length();
+                        (under.slope(radius), Feature::Vertex(ends[i]))
+                    }
+                };
+                Touch { tip_z: on.tip, point: on.point, normal: normal(on.point, slope), feature }
+            }
+        }
+    }
+}
