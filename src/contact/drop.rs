@@ -40,31 +40,23 @@ pub struct Touch {
     pub feature: Feature,
 }
 
-/// A triangle's plane.
+/// A triangle with the gradient of its plane.
 #[derive(Debug, Clone, Copy)]
-struct Plane {
-    /// A corner of the triangle.
-    anchor: DVec3,
-    gradient: DVec2,
-    /// Length of the gradient; infinite for an upright or collapsed triangle, of which only the edges count.
-    slope: f64,
-    /// √(1 + slope²).
-    stretch: f64,
+struct Facet {
+    corners: [DVec3; 3],
+    /// `None` for an upright or collapsed triangle, of which only the edges count.
+    gradient: Option<DVec2>,
 }
 
 /// A triangle whose normal is this close to level is upright: its shadow is thinner than rounding.
 const UPRIGHT: f64 = 1e-12;
 
-impl Plane {
-    fn new([a, b, c]: &[DVec3; 3]) -> Self {
+impl Facet {
+    fn new(corners: [DVec3; 3]) -> Self {
+        let [a, b, c] = corners;
         let n = (b - a).cross(c - a);
-        if n.z.abs() <= UPRIGHT * n.length() {
-            let (slope, stretch) = (f64::INFINITY, f64::INFINITY);
-            return Self { anchor: *a, gradient: DVec2::ZERO, slope, stretch };
-        }
-        let gradient = -n.truncate() / n.z;
-        let slope = gradient.length();
-        Self { anchor: *a, gradient, slope, stretch: (1.0 + slope * slope).sqrt() }
+        let upright = n.z.abs() <= UPRIGHT * n.length();
+        Self { corners, gradient: (!upright).then(|| -n.truncate() / n.z) }
     }
 }
 
@@ -74,8 +66,7 @@ pub struct DropMesh {
     tree: Bvh,
     lids: Vec<Lid>,
     /// By place in the tree's order, as all below.
-    planes: Vec<Plane>,
-    corners: Vec<[DVec3; 3]>,
+    facets: Vec<Facet>,
     vertices: Vec<[u32; 3]>,
 }
 
@@ -85,15 +76,13 @@ const LEAF: usize = 4;
 impl DropMesh {
     /// Prepares `mesh`. Which way its triangles face does not matter.
     pub fn new(mesh: &TriMesh) -> Self {
-        let boxes: Vec<Aabb> =
-            (0..mesh.triangles.len()).map(|i| Aabb::around(mesh.corners(i))).collect();
+        let boxes: Vec<Aabb> = (0..mesh.triangles.len()).map(|i| Aabb::around(mesh.corners(i))).collect();
         let tree = Bvh::new(&boxes, LEAF);
         let corners: Vec<_> = tree.order().iter().map(|&i| mesh.corners(i as usize)).collect();
         Self {
             lids: lid::lids(&tree, &corners),
-            planes: corners.iter().map(Plane::new).collect(),
             vertices: tree.order().iter().map(|&i| mesh.triangles[i as usize]).collect(),
-            corners,
+            facets: corners.into_iter().map(Facet::new).collect(),
             tree,
         }
     }
@@ -133,22 +122,18 @@ enum Rest {
 
 /// The cutter on the triangle at `place`, if that is higher than `floor`.
 fn touch_triangle(mesh: &DropMesh, under: &Underside, axis: DVec2, place: usize, floor: f64) -> Option<Rest> {
-    let plane = &mesh.planes[place];
-    let corners = &mesh.corners[place];
-    if plane.slope < f64::INFINITY {
-        let level = plane.anchor.z + plane.gradient.dot(axis - plane.anchor.truncate());
-        // The plane is touched no lower than the part of it that is the triangle.
-        if level + under.lift(plane.slope, plane.stretch) <= floor {
-            return None;
-        }
-        let radius = under.radius_of_slope(plane.slope, plane.stretch);
-        let uphill = if radius > 0.0 { plane.gradient * (radius / plane.slope) } else { DVec2::ZERO };
-        let at = axis + uphill;
+    let Facet { corners, gradient } = &mesh.facets[place];
+    if under.bound_triangle(corners, gradient.unwrap_or_default(), axis) <= floor {
+        return None;
+    }
+    if let Some(gradient) = gradient {
+        let offset = under.touch_plane(*gradient);
+        let at = axis + offset;
         if holds(corners, at) {
-            let z = plane.anchor.z + plane.gradient.dot(at - plane.anchor.truncate());
+            let z = corners[0].z + gradient.dot(at - corners[0].truncate());
             // Extrapolation over a steep sliver may overshoot.
             let z = z.min(corners[0].z.max(corners[1].z).max(corners[2].z));
-            let tip = z - under.height(radius);
+            let tip = z - under.height(offset.length().min(under.reach));
             return (tip > floor).then_some(Rest::Facet { place, tip, point: at.extend(z) });
         }
     }
@@ -189,7 +174,7 @@ impl Rest {
             Self::Facet { place, tip, point } => Touch {
                 tip_z: tip,
                 point,
-                normal: (-mesh.planes[place].gradient).extend(1.0).normalize(),
+                normal: (-mesh.facets[place].gradient.unwrap_or_default()).extend(1.0).normalize(),
                 feature: Feature::Facet(mesh.tree.order()[place]),
             },
             Self::Edge { place, side, on } => {

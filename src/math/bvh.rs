@@ -63,8 +63,8 @@ pub struct Bvh {
     order: Vec<u32>,
 }
 
-/// Halving at least one item of 2³² leaves a depth of 32; a depth-first walk keeps one sibling a level.
-const STACK: usize = 40;
+/// Room for the nodes that wait in a usual search; more are allowed.
+const USUAL_OPEN: usize = 128;
 
 impl Bvh {
     /// The tree over `items` with at most `leaf` (at least 1) of them a leaf, split at the median of the centres along
@@ -77,9 +77,8 @@ impl Bvh {
         tree.push_nodes(1);
         while let Some((node, range)) = open.pop() {
             let mine = &mut order[range.clone()];
-            let around = |pick: &dyn Fn(u32) -> Aabb| {
-                mine.iter().fold(Aabb::EMPTY, |b, &i| b.union(&pick(i)))
-            };
+            let around =
+                |pick: &dyn Fn(u32) -> Aabb| mine.iter().fold(Aabb::EMPTY, |b, &i| b.union(&pick(i)));
             tree.boxes[node] = around(&|i| items[i as usize]);
             if mine.len() <= leaf.max(1) {
                 mine.sort_unstable();
@@ -134,8 +133,8 @@ impl Bvh {
     /// The highest value that `leaf` reports, or `floor` if none is higher.
     ///
     /// `bound(node)` must be at least the value of everything below the node. `leaf(places, best)` returns the larger
-    /// of `best` and the values of the items at `places` of [`Bvh::order`]. The better child comes first, and whatever
-    /// cannot exceed the best any more is left out.
+    /// of `best` and the values of the items at `places` of [`Bvh::order`]. Nodes come in the order of their bounds, so
+    /// that none is opened that could not hold the highest.
     pub fn highest(
         &self,
         floor: f64,
@@ -146,30 +145,28 @@ impl Bvh {
         if self.order.is_empty() {
             return best;
         }
-        let mut stack = [(0.0, 0); STACK];
-        stack[0] = (bound(0), 0);
-        let mut open = 1;
-        while open > 0 {
-            open -= 1;
-            let (limit, node) = stack[open];
+        // Sorted, the most promising last: a child's bound is little below its parent's, so it settles near the end.
+        let mut open: Vec<(f64, u32)> = Vec::with_capacity(USUAL_OPEN);
+        open.push((bound(0), 0));
+        while let Some((limit, node)) = open.pop() {
             if limit <= best {
-                continue;
+                break;
             }
-            let Link { first, count } = self.links[node];
-            let first = first as usize;
+            let Link { first, count } = self.links[node as usize];
             if count > 0 {
-                best = leaf(first..first + count as usize, best);
+                best = leaf(first as usize..(first + count) as usize, best);
                 continue;
             }
-            let mut near = (bound(first), first);
-            let mut far = (bound(first + 1), first + 1);
-            if far.0 > near.0 {
-                (near, far) = (far, near);
-            }
-            for child in [far, near] {
-                if child.0 > best {
-                    stack[open] = child;
-                    open += 1;
+            for child in [first + 1, first] {
+                let limit = bound(child as usize);
+                if limit > best {
+                    let mut at = open.len();
+                    open.push((limit, child));
+                    while at > 0 && open[at - 1].0 > limit {
+                        open[at] = open[at - 1];
+                        at -= 1;
+                    }
+                    open[at] = (limit, child);
                 }
             }
         }

@@ -5,7 +5,7 @@ use stepover::geometry::TriMesh;
 
 /// The height field over 100 × 100 mm with `n × n` cells of two triangles. Vertices are rounded to single precision,
 /// as a binary STL file of it would hold them: the reference heights were computed from such a file.
-pub fn sculpt(n: u32) -> TriMesh {
+pub(crate) fn sculpt(n: u32) -> TriMesh {
     let at = |i: u32| -50.0 + 100.0 * f64::from(i) / f64::from(n);
     let rounded = |x: f64| f64::from(x as f32);
     let vertex = |k: u32| {
@@ -26,8 +26,7 @@ fn height(x: f64, y: f64) -> f64 {
     use std::f64::consts::TAU;
     let waves = 8.0 * libm::sin(TAU * x / 50.0) * libm::cos(TAU * y / 40.0)
         + 3.0 * libm::sin(TAU * (x + 2.0 * y) / 23.0);
-    let bump = |cx: f64, cy: f64, spread: f64| {
-        libm::exp(-((x - cx) * (x - cx) + (y - cy) * (y - cy)) / spread)
-    };
+    let bump =
+        |cx: f64, cy: f64, spread: f64| libm::exp(-((x - cx) * (x - cx) + (y - cy) * (y - cy)) / spread);
     waves + 15.0 * bump(12.0, -8.0, 60.0) - 10.0 * bump(-20.0, 15.0, 25.0)
 }

@@ -1,6 +1,7 @@
 //! The underside of a cutter as a function of the radius.
 
 use crate::cutter::Cutter;
+use glam::DVec2;
 
 /// Height above the tip of a cutter's underside, as a convex function of the distance from its axis, made ready for
 /// many evaluations.
@@ -81,27 +82,16 @@ impl Underside {
         }
     }
 
-    /// The radius that touches a plane of slope `m`, where `q` is √(1 + m²). Where a whole stretch touches, the
-    /// smallest.
-    pub(super) fn radius_of_slope(&self, m: f64, q: f64) -> f64 {
-        if m <= self.bottom {
-            0.0
-        } else if m < self.side {
-            self.center_radius + self.corner * m / q
+    /// Where, seen from the axis, the underside touches a plane with this gradient. Where a whole stretch touches, at
+    /// its inner end.
+    pub(super) fn touch_plane(&self, gradient: DVec2) -> DVec2 {
+        let square = gradient.length_squared();
+        if square <= self.bottom * self.bottom {
+            DVec2::ZERO
+        } else if square < self.side * self.side {
+            gradient * (self.center_radius / square.sqrt() + self.corner / (1.0 + square).sqrt())
         } else {
-            self.reach
-        }
-    }
-
-    /// How much lower than the tip a plane of slope `m` that touches the underside crosses the axis, where `q` is
-    /// √(1 + m²).
-    pub(super) fn lift(&self, m: f64, q: f64) -> f64 {
-        if m <= self.bottom {
-            0.0
-        } else if m < self.side {
-            m * self.center_radius + self.corner * q - self.center_height
-        } else {
-            m * self.reach - self.height(self.reach)
+            gradient * (self.reach / square.sqrt())
         }
     }
 }
@@ -138,7 +128,7 @@ mod tests {
     }
 
     #[test]
-    fn lift_is_the_highest_plane_over_the_underside() {
+    fn a_touched_plane_lies_below_the_underside() {
         for cutter in [
             Cutter::flat(10.0, 30.0),
             Cutter::bull_nose(10.0, 2.0, 30.0),
@@ -147,12 +137,12 @@ mod tests {
         ] {
             let under = Underside::new(&cutter.unwrap());
             for m in [0.0, 0.1, 0.25, 1.0, 3.0, 6.0, 7.0, 50.0_f64] {
-                let q = (1.0 + m * m).sqrt();
-                let at = under.radius_of_slope(m, q);
-                assert!((under.lift(m, q) - (m * at - under.height(at))).abs() < 1e-9);
+                let at = under.touch_plane(DVec2::new(0.6, -0.8) * m);
+                assert!(at.perp_dot(DVec2::new(0.6, -0.8)).abs() < 1e-12);
+                let most = m * at.length() - under.height(at.length());
                 for i in 0..=500 {
                     let radius = under.reach() * f64::from(i) / 500.0;
-                    assert!(m * radius - under.height(radius) <= under.lift(m, q) + 1e-9);
+                    assert!(m * radius - under.height(radius) <= most + 1e-9);
                 }
             }
         }
