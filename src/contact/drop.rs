@@ -4,6 +4,7 @@
 //! distance from the axis. The underside is convex, so over a triangle this is concave: it has one maximum, inside the
 //! triangle, or else on an edge, where again it has one. Every APT cutter is treated alike and exactly.
 
+mod above;
 mod edge;
 mod lid;
 mod underside;

@@ -173,11 +173,12 @@ impl Bvh {
         best
     }
 
-    /// Calls `item` with the number of every item in a leaf whose box, and all boxes above it, `enter` accepts.
-    pub fn visit(&self, enter: impl Fn(&Aabb) -> bool, mut item: impl FnMut(u32)) {
+    /// Calls `item` with the place in [`Bvh::order`] of every item in a leaf whose box, and all boxes above it, `enter`
+    /// accepts.
+    pub fn visit_places(&self, enter: impl Fn(&Aabb) -> bool, mut item: impl FnMut(usize)) {
         let bound = |node: usize| if enter(&self.boxes[node]) { 1.0 } else { -1.0 };
         self.highest(0.0, bound, |places, best| {
-            self.order[places].iter().for_each(|&i| item(i));
+            places.for_each(&mut item);
             best
         });
     }
@@ -212,7 +213,12 @@ mod tests {
             let window = Aabb { lo: DVec3::new(x, 2.0, 2.0), hi: DVec3::new(x + 2.0, 7.0, 7.0) };
             let tree = Bvh::new(&items, leaf);
             let mut found = Vec::new();
-            tree.visit(|b| b.meets(&window), |i| if items[i as usize].meets(&window) { found.push(i) });
+            tree.visit_places(|b| b.meets(&window), |at| {
+                let i = tree.order()[at];
+                if items[i as usize].meets(&window) {
+                    found.push(i);
+                }
+            });
             found.sort_unstable();
             let wanted: Vec<u32> =
                 (0..items.len() as u32).filter(|&i| items[i as usize].meets(&window)).collect();

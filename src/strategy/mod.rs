@@ -14,3 +14,8 @@ pub use finish::{Finish, Order, Planned, StrategyError};
 pub use iso_parametric::iso_parametric;
 pub use iso_planar::iso_planar;
 pub use link::{IsClear, Linked, Linking, Refuge, link};
+//! From a surface to passes: one file a strategy.
+
+mod raster;
+
+pub use raster::{Raster, RasterError, RasterOptions, raster};

@@ -84,7 +84,7 @@ impl Underside {
 
     /// Where, seen from the axis, the underside touches a plane with this gradient. Where a whole stretch touches, at
     /// its inner end.
-    pub(super) fn touch_plane(&self, gradient: DVec2) -> DVec2 {
+    pub fn touch_plane(&self, gradient: DVec2) -> DVec2 {
         let square = gradient.length_squared();
         if square <= self.bottom * self.bottom {
             DVec2::ZERO
