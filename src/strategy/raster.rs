@@ -8,6 +8,7 @@ mod across;
 mod cut;
 mod line;
 mod reach;
+mod rest;
 
 use crate::contact::{DropMesh, Underside};
 use crate::cutter::Cutter;
@@ -15,10 +16,11 @@ use crate::geometry::{TriMesh, Zone};
 use crate::math::frame::Frame;
 use crate::monitor::{Cancelled, Stage};
 use crate::toolpath::{CcPoint, ClPoint, Pass, Posture, Station};
-use across::{Grain, Limits, Wanting, hidden, still_wanting, survey};
+use across::{Grain, Ground, Limits, Wanting, still_wanting, survey};
 use cut::Lines;
 use glam::{DVec2, DVec3};
 use line::{Drop, Lowering};
+use reach::{Closing, Spot};
 use std::collections::BTreeMap;
 
 /// How to lay the lines.
@@ -106,7 +108,9 @@ pub fn raster(
     // The tip of a cusp is as wide as the limit allows on level ground; the corner's own share of that.
     let cusp = (8.0 * corner.max(options.scallop) * options.scallop).sqrt();
     let grain = Grain { along: cusp * GRAIN_ALONG, across: cusp * GRAIN_ACROSS };
-    let seen = survey(&mesh, &lowering, &lines, grain, limits, &stage.part("looking for cusps", 0.1, 0.7))?;
+    let best = Closing::new(&lowering, (lo, hi), &stage.part("best of all positions", 0.1, 0.2))?;
+    let ground = Ground { mesh: &mesh, lowering: &lowering, best: &best };
+    let seen = survey(&ground, &lines, grain, limits, &stage.part("looking for cusps", 0.2, 0.7))?;
     let mut unreached = seen.unreached;
     fill(
         seen.wanting,
@@ -123,17 +127,15 @@ pub fn raster(
         let (y, drops) = passes[i];
         pass(&lowering.thin(drops), y, &turn)
     })?;
-    let cell = 1.5 * grain.along;
-    unreached.extend(hidden(&mesh, &lowering, cell));
-    let unreached = unreached.into_iter().map(|(p, area)| (turn.to_world(p), area));
-    Ok(Raster { passes, unreached: Zone::from_samples(cell, unreached) })
+    let unreached = rest::zone(&mesh, &lowering, &unreached, (grain.along, 1.5 * grain.along), &turn);
+    Ok(Raster { passes, unreached })
 }
 
 /// Distance of the spots looked at, along and across the lines, as parts of a level cusp's width: halfway between two
 /// spots a cusp's tip is higher than at them by at most 2 × 1/64 of its height on either flank.
 const GRAIN_ACROSS: f64 = 1.0 / 32.0;
 /// Cusps run along the lines and change slowly there.
-const GRAIN_ALONG: f64 = 1.0 / 8.0;
+const GRAIN_ALONG: f64 = 1.0 / 6.0;
 /// More first lines than this have no use at any scallop, and would overflow the places.
 const MOST_LINES: f64 = 1e5;
 
@@ -176,7 +178,7 @@ fn fill(
     limits: Limits,
     cusp: f64,
     stage: &Stage<'_>,
-    unreached: &mut Vec<(DVec3, f64)>,
+    unreached: &mut Vec<Spot>,
 ) -> Result<(), Cancelled> {
     let mut done = 0.0;
     while !wanting.is_empty() {
@@ -192,7 +194,7 @@ fn fill(
                     left.push(Wanting { asked: Some(place), ..w });
                 }
                 // A line runs where the axis must go and yet it was not enough.
-                None => unreached.push((w.spot.point, w.spot.area)),
+                None => unreached.push(w.spot),
             }
         }
         let stretches: Vec<_> = places
@@ -211,14 +213,15 @@ fn fill(
     Ok(())
 }
 
-/// Stretches around the places `at`, within the stretches `covered`: each place with `margin` on either side, and
-/// joined where a gap would be shorter than what lifting over it costs.
-fn joined(mut at: Vec<f64>, margin: f64, covered: &[(f64, f64)]) -> Vec<(f64, f64)> {
+/// Stretches around the places `at`, within the stretches `covered`: each place with a little on either side, and
+/// joined where the gap is so short that lifting over it costs more.
+fn joined(mut at: Vec<f64>, cusp: f64, covered: &[(f64, f64)]) -> Vec<(f64, f64)> {
     at.sort_by(f64::total_cmp);
+    let (margin, gap) = (MARGIN * cusp, JOINED * cusp);
     let mut stretches: Vec<(f64, f64)> = Vec::new();
     for x in at {
         match stretches.last_mut() {
-            Some(last) if x - margin <= last.1 + JOINED * margin => last.1 = x + margin,
+            Some(last) if x - margin <= last.1 + gap => last.1 = x + margin,
             _ => stretches.push((x - margin, x + margin)),
         }
     }
@@ -228,8 +231,10 @@ fn joined(mut at: Vec<f64>, margin: f64, covered: &[(f64, f64)]) -> Vec<(f64, f6
     stretches.iter().flat_map(clip).collect()
 }
 
-/// Gaps up to so many margins are cut through.
-const JOINED: f64 = 4.0;
+/// What a partial line extends beyond the spots it is for, in widths of a level cusp: more than the distance of spots.
+const MARGIN: f64 = 0.25;
+/// Gaps up to so many widths are cut through.
+const JOINED: f64 = 2.0;
 
 /// The pass over these drops on the line at `y`.
 fn pass(drops: &[Drop], y: f64, turn: &Turn) -> Pass {

@@ -2,7 +2,7 @@
 
 use super::cut::Lines;
 use super::line::Lowering;
-use super::reach::Spot;
+use super::reach::{Closing, Spot};
 use crate::geometry::TriMesh;
 use crate::monitor::{Cancelled, Stage};
 use glam::{DVec2, DVec3};
@@ -44,40 +44,39 @@ pub(super) struct Wanting {
 #[derive(Debug, Default)]
 pub(super) struct Survey {
     pub wanting: Vec<Wanting>,
-    pub unreached: Vec<(DVec3, f64)>,
+    pub unreached: Vec<Spot>,
+}
+
+/// What is cut and with what.
+#[derive(Clone, Copy)]
+pub(super) struct Ground<'a> {
+    pub mesh: &'a TriMesh,
+    pub lowering: &'a Lowering<'a>,
+    pub best: &'a Closing,
+}
+
+/// What a look at one spot found.
+#[derive(Clone, Copy, PartialEq)]
+enum Found {
+    Low,
+    Wanting(DVec2),
+    OutOfReach,
 }
 
 /// Looks at all that is seen from above.
 pub(super) fn survey(
-    mesh: &TriMesh,
-    lowering: &Lowering<'_>,
+    ground: &Ground<'_>,
     lines: &Lines,
     grain: Grain,
     limits: Limits,
     stage: &Stage<'_>,
 ) -> Result<Survey, Cancelled> {
-    let Some((lo, hi)) = mesh.bounds() else { return Ok(Survey::default()) };
+    let Some((lo, hi)) = ground.mesh.bounds() else { return Ok(Survey::default()) };
     let count = ((hi.x - lo.x) / grain.along).ceil().max(1.0) as usize;
     let width = (hi.x - lo.x) / count as f64;
     let slices = stage.map(count, |i| {
         let x = lo.x + width * (i as f64 + 0.5);
-        let mut survey = Survey::default();
-        let mut y = lo.y + 0.5 * grain.across;
-        while y < hi.y {
-            let mut step = grain.across;
-            let seen = lowering.mesh.top(x, y);
-            let normal = seen.and_then(|(_, triangle)| mesh.normal(triangle as usize));
-            if let (Some((z, _)), Some(normal)) = (seen, normal) {
-                step *= normal.z.clamp(STEEPEST_STEP, 1.0);
-                let point = DVec3::new(x, y, z);
-                if normal.z > WALL {
-                    let spot = Spot { point, normal, area: width * step / normal.z };
-                    look(lowering, lines, limits, spot, &mut survey);
-                }
-            }
-            y += step;
-        }
-        survey
+        ground.slice(lines, limits, (lo.y, hi.y), x, Grain { along: width, ..grain })
     })?;
     let mut all = Survey::default();
     for slice in slices {
@@ -87,15 +86,86 @@ pub(super) fn survey(
     Ok(all)
 }
 
-fn look(lowering: &Lowering<'_>, lines: &Lines, limits: Limits, spot: Spot, survey: &mut Survey) {
-    if is_low(lowering, lines, limits, &spot, spot.axis(lowering)) {
-        return;
+impl Ground<'_> {
+    /// Looks along y. Out of reach the steps are longer; once something within reach follows, what was stepped over is
+    /// looked at closely.
+    fn slice(&self, lines: &Lines, limits: Limits, (from, to): (f64, f64), x: f64, grain: Grain) -> Survey {
+        let mut survey = Survey::default();
+        let mut y = from + 0.5 * grain.across;
+        // The last spot out of reach, with its short step, if a long one was taken from there.
+        let mut strode: Option<(Spot, f64)> = None;
+        while y < to {
+            let Some(spot) = self.spot(x, y) else {
+                if let Some((spot, step)) = strode.take() {
+                    survey.note(spot, Found::OutOfReach, grain.along * step);
+                    y = spot.point.y + step;
+                } else {
+                    y += grain.across;
+                }
+                continue;
+            };
+            // A step of even length over the ground.
+            let rise = spot.normal.y / spot.normal.z;
+            let step = grain.across * (1.0 / (1.0 + rise * rise).sqrt()).max(STEEPEST_STEP);
+            let found = self.look(lines, limits, &spot);
+            if let Some((last, short)) = strode.take() {
+                let stride = if found == Found::OutOfReach { spot.point.y - last.point.y } else { short };
+                survey.note(last, Found::OutOfReach, grain.along * stride);
+                if found != Found::OutOfReach {
+                    y = last.point.y + short;
+                    // From here on in short steps, until the spot that ended the stride.
+                    while y < spot.point.y {
+                        if let Some(spot) = self.spot(x, y) {
+                            let found = self.look(lines, limits, &spot);
+                            survey.note(spot, found, grain.along * short);
+                        }
+                        y += short;
+                    }
+                    y = spot.point.y;
+                }
+            }
+            if found == Found::OutOfReach {
+                strode = Some((spot, step));
+                y += STRIDE * step;
+            } else {
+                survey.note(spot, found, grain.along * step);
+                y += step;
+            }
+        }
+        if let Some((spot, step)) = strode {
+            survey.note(spot, Found::OutOfReach, grain.along * step);
+        }
+        survey
     }
-    match lowering.reach(&spot, limits.single) {
-        Some(axis) => survey.wanting.push(Wanting { spot, axis, asked: None }),
-        None => survey.unreached.push((spot.point, spot.area)),
+
+    /// The spot seen at `(x, y)`, its area that of a unit square seen from above; `None` beside the mesh and on walls.
+    fn spot(&self, x: f64, y: f64) -> Option<Spot> {
+        let (z, triangle) = self.lowering.mesh.top(x, y)?;
+        let normal = self.mesh.normal(triangle as usize).filter(|n| n.z > WALL)?;
+        Some(Spot { point: DVec3::new(x, y, z), normal, area: 1.0 / normal.z })
+    }
+
+    fn look(&self, lines: &Lines, limits: Limits, spot: &Spot) -> Found {
+        if is_low(self.lowering, lines, limits, spot, spot.axis(self.lowering)) {
+            return Found::Low;
+        }
+        self.best.reach(self.lowering, spot, limits.single).map_or(Found::OutOfReach, Found::Wanting)
     }
 }
+
+impl Survey {
+    fn note(&mut self, spot: Spot, found: Found, shadow: f64) {
+        let spot = Spot { area: spot.area * shadow, ..spot };
+        match found {
+            Found::Low => {}
+            Found::Wanting(axis) => self.wanting.push(Wanting { spot, axis, asked: None }),
+            Found::OutOfReach => self.unreached.push(spot),
+        }
+    }
+}
+
+/// Out of reach one spot in so many is looked at: the zone is kept in cubes of about that size.
+const STRIDE: f64 = 4.0;
 
 fn is_low(lowering: &Lowering<'_>, lines: &Lines, limits: Limits, spot: &Spot, axis: DVec2) -> bool {
     lines.cuts(lowering.under, spot.point + limits.lines * spot.normal, axis)
@@ -119,31 +189,3 @@ pub(super) fn still_wanting(
 
 /// Spots a task: milliseconds of work.
 const CHUNK: usize = 2000;
-
-/// Samples of the facets that no upright cutter sees: walls, undersides, and what lies below other facets.
-pub(super) fn hidden(mesh: &TriMesh, lowering: &Lowering<'_>, cell: f64) -> Vec<(DVec3, f64)> {
-    let mut samples = Vec::new();
-    for i in 0..mesh.triangles.len() {
-        let Some(normal) = mesh.normal(i) else { continue };
-        let [a, b, c] = mesh.corners(i);
-        let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
-        let n = (longest / cell).ceil().max(1.0) as usize;
-        let area = mesh.area(i) / (n * n) as f64;
-        for s in 0..n {
-            for t in 0..2 * (n - s) - 1 {
-                // Centres of the upward and downward small triangles of row s, in turn.
-                let third = if t % 2 == 0 { 1.0 / 3.0 } else { 2.0 / 3.0 };
-                let (u, v) = ((s as f64 + third) / n as f64, ((t / 2) as f64 + third) / n as f64);
-                let p = a + (b - a) * u + (c - a) * v;
-                let covered = || lowering.mesh.top(p.x, p.y).is_some_and(|(z, _)| z > p.z + COVERED);
-                if normal.z <= WALL || covered() {
-                    samples.push((p, area));
-                }
-            }
-        }
-    }
-    samples
-}
-
-/// What lies deeper than this below the top, mm, is another layer and not rounding.
-const COVERED: f64 = 1e-4;

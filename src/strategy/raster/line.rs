@@ -33,6 +33,9 @@ const SHORTEST: f64 = 5e-4;
 /// corner is true.
 const DENSEST: f64 = 0.01;
 
+/// On a slope of 45° a level step is longer by this, and is still short enough not to be halved.
+const LENGTH: f64 = 1.4143;
+
 /// Widest step, mm, on cutters of any size: a pit or peak that would change a chord's middle is seen at this distance.
 const WIDEST: f64 = 0.25;
 
@@ -44,7 +47,7 @@ impl Lowering<'_> {
     /// Lowered tips along `y` from `from` to `to`, so close that straight moves between them keep to the tolerances.
     /// Empty where the cutter meets nothing.
     pub(super) fn along(&self, y: f64, from: f64, to: f64) -> Vec<Drop> {
-        let widest = self.step(1.0);
+        let widest = self.step();
         let count = ((to - from) / widest).ceil().max(1.0) as usize;
         let mut path: Vec<Drop> = Vec::new();
         for i in 0..=count {
@@ -58,10 +61,10 @@ impl Lowering<'_> {
         path
     }
 
-    /// The distance of lowered tips between which a peak, seen by neither, lifts the tip by less than [`GOUGE`], where
-    /// the normal's z is `cosine`: over a peak the tip's path bends by 1/(r cos³).
-    fn step(&self, cosine: f64) -> f64 {
-        (8.0 * GOUGE * self.corner * cosine * cosine * cosine).sqrt().clamp(DENSEST, WIDEST)
+    /// The length of a move over whose middle a peak, seen from neither end, stands into the cutter by less than
+    /// [`GOUGE`]: no part of the cutter is sharper than its corner.
+    fn step(&self) -> f64 {
+        (8.0 * GOUGE * self.corner).sqrt().clamp(DENSEST, WIDEST)
     }
 
     /// Pushes what must stand between `a` and `b`, halving where the move between them strays.
@@ -76,8 +79,8 @@ impl Lowering<'_> {
         }
         let Some(middle) = self.at(0.5 * (a.x + b.x), y) else { return };
         let above = -depth(&a, &b, &middle);
-        let cosine = a.touch.normal.z.min(b.touch.normal.z);
-        if above > 0.5 * self.chord || above < -0.5 * GOUGE || width > 1.001 * self.step(cosine) {
+        let length = DVec2::new(width, b.tip - a.tip).length();
+        if above > 0.5 * self.chord || above < -0.5 * GOUGE || length > LENGTH * self.step() {
             self.refine(y, a, middle, path);
             path.push(middle);
             self.refine(y, middle, b, path);

@@ -1,6 +1,9 @@
 //! The best that any position of an upright cutter can do for one point of the mesh.
 
 use super::line::Lowering;
+use crate::contact::{DropMesh, drop_cutter};
+use crate::geometry::TriMesh;
+use crate::monitor::{Cancelled, Stage};
 use glam::{DVec2, DVec3};
 
 /// A point of the mesh, to be finished.
@@ -55,45 +58,100 @@ impl Lowering<'_> {
         }
         t
     }
+}
 
-    /// A place of the axis, over the mesh, from which the lowered cutter leaves at most `limit` on the spot; `None` if
-    /// the search finds none. It begins where the cutter would touch the spot and goes by ever shorter steps to
-    /// whatever place around leaves less.
-    pub(super) fn reach(&self, spot: &Spot, limit: f64) -> Option<DVec2> {
-        let contact = spot.axis(self);
-        let over = spot.point.truncate();
-        let mut best = (f64::INFINITY, contact);
-        for start in [contact, 0.5 * (contact + over), over] {
-            let excess = self.excess(spot, start);
-            if excess <= limit {
-                return Some(start);
-            }
-            if excess < best.0 {
-                best = (excess, start);
+/// What all positions of the cutter over the mesh, taken together, leave: the tip's heights on a grid, upside down, as a
+/// mesh to lower the same cutter on. It touches where the position stands that cuts deepest.
+#[derive(Debug)]
+pub(super) struct Closing {
+    tips: DropMesh,
+    pitch: f64,
+}
+
+/// Positions on the grid in one cutter radius.
+const GRID: f64 = 15.0;
+/// Most positions along a side of the grid: seconds of work.
+const MOST: f64 = 1500.0;
+
+/// By how much, in grid steps and along the normal, a spot must lie beyond what the grid reaches to be given up without
+/// a closer search.
+const SURE: f64 = 0.25;
+
+impl Closing {
+    pub(super) fn new(
+        lowering: &Lowering<'_>,
+        (lo, hi): (DVec3, DVec3),
+        stage: &Stage<'_>,
+    ) -> Result<Self, Cancelled> {
+        let size = hi - lo;
+        let pitch = (lowering.under.reach() / GRID).max(size.x.max(size.y) / MOST);
+        let count = |length: f64| (length / pitch).ceil().max(1.0) as u32 + 1;
+        let (nx, ny) = (count(size.x), count(size.y));
+        let at = |lo: f64, length: f64, i: u32, n: u32| lo + length * f64::from(i) / f64::from(n - 1);
+        let rows = stage.map(ny as usize, |j| {
+            let y = at(lo.y, size.y, j as u32, ny);
+            let tip = |i| {
+                let x = at(lo.x, size.x, i, nx);
+                lowering.mesh.top(x, y)?;
+                lowering.at(x, y).map(|drop| DVec3::new(x, y, -drop.tip))
+            };
+            (0..nx).map(tip).collect::<Vec<_>>()
+        })?;
+        let tips: Vec<Option<DVec3>> = rows.concat();
+        let mut triangles = Vec::new();
+        for j in 0..ny - 1 {
+            for i in 0..nx - 1 {
+                let a = j * nx + i;
+                for triangle in [[a, a + 1, a + nx + 1], [a, a + nx + 1, a + nx]] {
+                    if triangle.iter().all(|&k| tips[k as usize].is_some()) {
+                        triangles.push(triangle);
+                    }
+                }
             }
         }
-        let mut step = SEARCH * self.under.reach();
-        while step > self.under.reach() * SEARCH_END {
-            let around = [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y].map(|way| best.1 + way * step);
-            let old = best.0;
-            for place in around {
-                let excess = self.excess(spot, place);
-                if excess <= limit {
-                    return Some(place);
-                }
-                if excess < best.0 {
-                    best = (excess, place);
+        let vertices = tips.into_iter().map(Option::unwrap_or_default).collect();
+        Ok(Self { tips: DropMesh::new(&TriMesh { vertices, triangles }), pitch })
+    }
+
+    /// A place of the axis, over the mesh, from which the lowered cutter leaves at most `limit` on the spot; `None` if
+    /// there is none as far as the search sees. The place where the cutter would touch the spot is tried first, then
+    /// the deepest cut on the grid, then, by ever shorter steps, whatever place around leaves less.
+    pub(super) fn reach(&self, lowering: &Lowering<'_>, spot: &Spot, limit: f64) -> Option<DVec2> {
+        let contact = spot.axis(lowering);
+        let mut best = (lowering.excess(spot, contact), contact);
+        if best.0 <= limit {
+            return Some(contact);
+        }
+        let p = spot.point + limit * spot.normal;
+        let deepest = drop_cutter(&self.tips, lowering.under, p.x, p.y)?;
+        if (-deepest.tip_z - p.z) * spot.normal.z > SURE * self.pitch {
+            return None;
+        }
+        let mut consider = |axis: DVec2| {
+            let excess = lowering.excess(spot, axis);
+            if excess < best.0 {
+                best = (excess, axis);
+            }
+            best
+        };
+        let mut now = consider(deepest.point.truncate());
+        let mut step = self.pitch;
+        while now.0 > limit && step > self.pitch * SEARCH_END {
+            let old = now.0;
+            for way in [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y] {
+                now = consider(now.1 + way * step);
+                if now.0 <= limit {
+                    break;
                 }
             }
-            if best.0 >= old {
+            if now.0 >= old {
                 step *= 0.5;
             }
         }
-        None
+        (now.0 <= limit).then_some(now.1)
     }
 }
 
-/// First step of the search for a better place, as a part of the cutter's radius.
-const SEARCH: f64 = 0.2;
-/// Last step: at the bottom of a groove a hundredth of the radius changes what is left by ten-thousandths of it.
-const SEARCH_END: f64 = 0.01;
+/// Last step of the search in grid steps: at the bottom of a groove a hundredth of the radius changes what is left by
+/// ten-thousandths of it.
+const SEARCH_END: f64 = 0.2;
