@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
-use stepover::contact::{DropMesh, Feature, Underside, drop_cutter};
+use stepover::contact::{DropMesh, Feature, Underside, drop_cutter, drop_cutter_above, is_in_mesh};
 use stepover::cutter::Cutter;
 use stepover::geometry::TriMesh;
 
@@ -121,7 +121,15 @@ proptest! {
             (touch.point.z - touch.tip_z - height).abs() < 1e-6 || reach - radius < 1e-9,
             "{touch:?} {height}"
         );
-        // A lower cutter would have the contact inside; the normal leans towards the axis.
+        // Lower it is in the mesh, higher it is not.
+        let prepared = DropMesh::new(&mesh);
+        let under = Underside::new(&cutter);
+        prop_assert!(is_in_mesh(&prepared, &under, DVec3::Z * (touch.tip_z - 1e-6)));
+        prop_assert!(!is_in_mesh(&prepared, &under, DVec3::Z * (touch.tip_z + 1e-6)));
+        let above = |floor| drop_cutter_above(&prepared, &under, 0.0, 0.0, floor).map(|t| t.tip_z);
+        prop_assert_eq!(above(touch.tip_z), None);
+        prop_assert!((above(touch.tip_z - 1e-6).unwrap() - touch.tip_z).abs() < 1e-9);
+        // The normal leans towards the axis.
         prop_assert!((touch.normal.length() - 1.0).abs() < 1e-12 && touch.normal.z >= 0.0);
         prop_assert!(touch.normal.truncate().dot(touch.point.truncate()) < 1e-6);
     }

@@ -100,10 +100,16 @@ impl DropMesh {
 /// Exact to rounding, about 1e-10 mm: never lower than the mesh allows by more. Of several contacts at the same height
 /// one is named. The time does not grow with the number of triangles under the cutter.
 pub fn drop_cutter(mesh: &DropMesh, under: &Underside, x: f64, y: f64) -> Option<Touch> {
+    drop_cutter_above(mesh, under, x, y, f64::NEG_INFINITY)
+}
+
+/// As [`drop_cutter`], but `None` also where the tip would come to rest at `floor` or lower: that is found out sooner
+/// than where it rests.
+pub fn drop_cutter_above(mesh: &DropMesh, under: &Underside, x: f64, y: f64, floor: f64) -> Option<Touch> {
     let axis = DVec2::new(x, y);
     let mut rest: Option<Rest> = None;
     let bound = |node: usize| mesh.lids[node].bound(under, axis);
-    mesh.tree.highest(f64::NEG_INFINITY, bound, |places, mut best| {
+    mesh.tree.highest(floor, bound, |places, mut best| {
         for place in places {
             if let Some(found) = touch_triangle(mesh, under, axis, place, best) {
                 best = found.tip();
@@ -113,6 +119,19 @@ pub fn drop_cutter(mesh: &DropMesh, under: &Underside, x: f64, y: f64) -> Option
         best
     });
     rest.map(|rest| rest.touch(mesh, under, axis))
+}
+
+/// Whether a cutter with its axis upright and its tip at `tip` has some of the mesh inside: whether it would come to
+/// rest higher.
+pub fn is_in_mesh(mesh: &DropMesh, under: &Underside, tip: DVec3) -> bool {
+    let axis = tip.truncate();
+    let bound = |node: usize| mesh.lids[node].bound(under, axis);
+    // Infinity, once something is found, leaves nothing to look for.
+    let found = mesh.tree.highest(tip.z, bound, |mut places, best| {
+        let inside = places.any(|place| touch_triangle(mesh, under, axis, place, best).is_some());
+        if inside { f64::INFINITY } else { best }
+    });
+    found == f64::INFINITY
 }
 
 /// The best contact so far.

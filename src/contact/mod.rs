@@ -21,4 +21,4 @@ pub use strip_surface::{Edge, FaceStrip, StripLimits, face_strip};
 
 mod drop;
 
-pub use drop::{DropMesh, Feature, Touch, Underside, drop_cutter};
+pub use drop::{DropMesh, Feature, Touch, Underside, drop_cutter, drop_cutter_above, is_in_mesh};

@@ -127,7 +127,7 @@ pub fn raster(
         let (y, drops) = passes[i];
         pass(&lowering.thin(drops), y, &turn)
     })?;
-    let unreached = rest::zone(&mesh, &lowering, &unreached, (grain.along, 1.5 * grain.along), &turn);
+    let unreached = rest::zone(&mesh, &lowering, &unreached, (grain.along, CELL * grain.along), &turn);
     Ok(Raster { passes, unreached })
 }
 
@@ -136,6 +136,8 @@ pub fn raster(
 const GRAIN_ACROSS: f64 = 1.0 / 32.0;
 /// Cusps run along the lines and change slowly there.
 const GRAIN_ALONG: f64 = 1.0 / 6.0;
+/// Edge of the zone's cubes in distances of slices: larger ones would blur its rim, smaller ones cost memory.
+const CELL: f64 = 2.0;
 /// More first lines than this have no use at any scallop, and would overflow the places.
 const MOST_LINES: f64 = 1e5;
 

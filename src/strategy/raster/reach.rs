@@ -1,7 +1,7 @@
 //! The best that any position of an upright cutter can do for one point of the mesh.
 
 use super::line::Lowering;
-use crate::contact::{DropMesh, drop_cutter};
+use crate::contact::{DropMesh, drop_cutter_above, is_in_mesh};
 use crate::geometry::TriMesh;
 use crate::monitor::{Cancelled, Stage};
 use glam::{DVec2, DVec3};
@@ -27,6 +27,14 @@ impl Spot {
 const STEPS: usize = 12;
 
 impl Lowering<'_> {
+    /// Whether a cutter at `axis`, over the mesh, may be so low that `p` is inside it.
+    fn lets_through(&self, p: DVec3, axis: DVec2) -> bool {
+        let radius = (p.truncate() - axis).length();
+        radius <= self.under.reach()
+            && self.mesh.top(axis.x, axis.y).is_some()
+            && !is_in_mesh(self.mesh, self.under, axis.extend(p.z - self.under.height(radius)))
+    }
+
     /// What a cutter lowered at `axis` leaves on the spot, along its normal, mm; infinite where the normal misses the
     /// cutter or the cutter the mesh.
     ///
@@ -118,14 +126,15 @@ impl Closing {
     /// the deepest cut on the grid, then, by ever shorter steps, whatever place around leaves less.
     pub(super) fn reach(&self, lowering: &Lowering<'_>, spot: &Spot, limit: f64) -> Option<DVec2> {
         let contact = spot.axis(lowering);
-        let mut best = (lowering.excess(spot, contact), contact);
-        if best.0 <= limit {
+        let p = spot.point + limit * spot.normal;
+        if lowering.lets_through(p, contact) {
             return Some(contact);
         }
-        let p = spot.point + limit * spot.normal;
-        let deepest = drop_cutter(&self.tips, lowering.under, p.x, p.y)?;
-        if (-deepest.tip_z - p.z) * spot.normal.z > SURE * self.pitch {
-            return None;
+        let hopeless = p.z + SURE * self.pitch / spot.normal.z;
+        let deepest = drop_cutter_above(&self.tips, lowering.under, p.x, p.y, -hopeless)?.point.truncate();
+        let mut best = (lowering.excess(spot, deepest), deepest);
+        if best.0 <= limit {
+            return Some(deepest);
         }
         let mut consider = |axis: DVec2| {
             let excess = lowering.excess(spot, axis);
@@ -134,7 +143,7 @@ impl Closing {
             }
             best
         };
-        let mut now = consider(deepest.point.truncate());
+        let mut now = consider(contact);
         let mut step = self.pitch;
         while now.0 > limit && step > self.pitch * SEARCH_END {
             let old = now.0;
