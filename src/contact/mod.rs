@@ -2,6 +2,7 @@
 
 mod body;
 mod clearance;
+mod drop;
 mod envelope;
 mod half_strip;
 mod place;
@@ -11,14 +12,10 @@ mod strip_surface;
 
 pub use body::Body;
 pub use clearance::FaceObstacle;
+pub use drop::{DropMesh, Feature, Touch, Underside, drop_cutter, drop_cutter_above, is_in_mesh};
 pub use envelope::Sweep;
 pub use half_strip::HalfStrip;
 pub use place::{axis, center, cl_of, contact_of};
 pub use relative::{cutter_curvature, second_order_strip_width};
 pub use strip_model::{ModelStrip, model_strip};
 pub use strip_surface::{Edge, FaceStrip, StripLimits, face_strip};
-//! A cutter against a surface at one point.
-
-mod drop;
-
-pub use drop::{DropMesh, Feature, Touch, Underside, drop_cutter, drop_cutter_above, is_in_mesh};

@@ -4,14 +4,15 @@ use super::error::JobError;
 use super::picture::Picture;
 use super::report::{Lengths, Report, Unreachable, Verified, minutes};
 use super::shape::Shape;
-use super::spec::{AlongSpec, Spec, StrategySpec, VERSION};
+use super::spec::{AlongSpec, OrderSpec, Spec, StrategySpec, VERSION};
 use super::tool::posture;
-use crate::contact::FaceObstacle;
+use crate::contact::{DropMesh, FaceObstacle, Underside, is_in_mesh};
 use crate::cutter::Cutter;
-use crate::geometry::{Along, Face, Zone};
+use crate::geometry::{Along, Face, TriMesh, Zone};
 use crate::monitor::Stage;
 use crate::post::{self, Program};
-use crate::strategy::{self, Linked, Planned, Refuge};
+use crate::strategy::{self, Linked, Planned, RasterError, RasterOptions, Refuge};
+use crate::toolpath::ClPoint;
 use crate::verify::{self, Options, Samples, Verification, VerifyError};
 use glam::DVec3;
 
@@ -53,7 +54,7 @@ pub fn plan(spec: &Spec, bytes: Option<&[u8]>, stage: &Stage) -> Result<Plan, Jo
     let planning = stage.part("Planning", 0.02, 0.95);
     let (planned, linked) = match &shape {
         Shape::Face(face) => on_face(spec, face, &cutter, &planning)?,
-        Shape::Mesh(_) => return Err(JobError::Strategy("meshes come next".into())),
+        Shape::Mesh(mesh) => on_mesh(spec, mesh, &cutter, &planning)?,
     };
     let program = Program {
         part: spec.name.clone(),
@@ -170,6 +171,7 @@ fn on_face(spec: &Spec, face: &Face, cutter: &Cutter, stage: &Stage) -> Result<(
             ));
         }
     };
+    let planned = Planned { passes: strategy::nearest_next(planned.passes, false), ..planned };
     let how = spec.linking();
     // Links may not touch at all, so samples need only be dense against the lift.
     let obstacle = FaceObstacle::new(face, (0.5 * how.lift).clamp(0.2, 1.0));
@@ -178,6 +180,40 @@ fn on_face(spec: &Spec, face: &Face, cutter: &Cutter, stage: &Stage) -> Result<(
     let is_clear = |cl: &_| obstacle.depth(cutter, cl, DVec3::INFINITY) >= 0.0;
     let linked = strategy::link(&planned.passes, &how, &refuge, &is_clear);
     Ok((planned, linked))
+}
+
+fn on_mesh(
+    spec: &Spec,
+    mesh: &TriMesh,
+    cutter: &Cutter,
+    stage: &Stage,
+) -> Result<(Planned, Linked), JobError> {
+    let StrategySpec::Raster { angle_deg, order } = spec.strategy else {
+        let message = "must be raster: this shape is a mesh, which has no parameters".into();
+        return Err(JobError::field("strategy.kind", message));
+    };
+    let finish = spec.finish()?;
+    let options =
+        RasterOptions { angle: angle_deg.to_radians(), scallop: finish.scallop, chord: finish.chord };
+    let raster = strategy::raster(mesh, cutter, &options, stage).map_err(|e| match e {
+        RasterError::Cancelled(cancelled) => JobError::Cancelled(cancelled),
+        RasterError::Option { field, message } => {
+            let field =
+                if field == "angle" { "strategy.angle_deg".into() } else { format!("tolerance.{field}_mm") };
+            JobError::Field { field, message: message.into() }
+        }
+    })?;
+    if raster.passes.is_empty() {
+        let why = "the cutter fits nowhere on this mesh from above: a smaller cutter, or the other side, may";
+        return Err(JobError::Strategy(why.into()));
+    }
+    let passes = strategy::nearest_next(raster.passes, order == OrderSpec::Zigzag);
+    let how = spec.linking();
+    let top = mesh.bounds().map_or(0.0, |(_, high)| high.z);
+    let (lowered, under) = (DropMesh::new(mesh), Underside::new(cutter));
+    let is_clear = |cl: &ClPoint| !is_in_mesh(&lowered, &under, cl.tip);
+    let linked = strategy::link(&passes, &how, &Refuge::Above(top + how.clearance), &is_clear);
+    Ok((Planned { passes, unreached: raster.unreached }, linked))
 }
 
 /// The shape of `spec` to draw before anything is planned.

@@ -20,8 +20,8 @@ pub struct Linking {
 /// The part as an obstacle for links: whether the cutter at a location stays clear of it.
 pub type IsClear<'a> = dyn Fn(&ClPoint) -> bool + Sync + 'a;
 
-/// Points at which a crossing is looked at.
-const LOOKS: usize = 16;
+/// Lifts tried for a crossing near the part, as multiples of the one asked for.
+const LIFTS: [f64; 4] = [1.0, 2.0, 4.0, 8.0];
 /// Most moves of a crossing around the part.
 const ARC: usize = 24;
 
@@ -36,8 +36,8 @@ pub struct Linked {
 
 /// The motion along `passes` in their order.
 ///
-/// Between two passes the cutter lifts along its axis, crosses straight to above the next pass and comes down at
-/// plunge feed, if `is_clear` holds all along; otherwise it retracts along its axis into the refuge, crosses there in
+/// Between two passes the cutter lifts along its axis, crosses straight to above the next pass and comes down, the last
+/// bit at plunge feed, if `is_clear` holds all along for one of a few lifts; otherwise it retracts along its axis into the refuge, crosses there in
 /// rapid, and comes back in along the axis.
 pub fn link(passes: &[Pass], how: &Linking, refuge: &Refuge, is_clear: &IsClear) -> Linked {
     let mut linker = Linker { how, refuge, linked: Linked::default() };
@@ -152,16 +152,23 @@ impl Linker<'_> {
     }
 
     fn cross(&mut self, from: ClPoint, to: ClPoint, is_clear: &IsClear) {
-        let (above, over) = (raised(from, self.how.lift), raised(to, self.how.lift));
-        // A long way is faster in rapid around the part than at feed over it.
-        let near = above.tip.distance(over.tip) < 10.0 * self.how.lift;
-        let clear = |k: usize| is_clear(&between(above, over, k as f64 / LOOKS as f64));
-        if near && (0..=LOOKS).all(clear) {
-            self.push(above, Rate::Feed(self.how.cut_feed), Role::Link);
-            self.push(over, Rate::Feed(self.how.cut_feed), Role::Link);
-            self.push(to, Rate::Feed(self.how.plunge_feed), Role::Link);
-            return;
+        for lift in LIFTS.map(|times| times * self.how.lift) {
+            let (above, over) = (raised(from, lift), raised(to, lift));
+            // A long way is faster in rapid around the part than at feed over it.
+            if above.tip.distance(over.tip) > 10.0 * lift {
+                continue;
+            }
+            let looks = (above.tip.distance(over.tip) / (0.25 * self.how.lift)).ceil().max(1.0);
+            let clear = |k: usize| is_clear(&between(above, over, k as f64 / looks));
+            if (0..=looks as usize).all(clear) {
+                self.push(above, Rate::Feed(self.how.cut_feed), Role::Link);
+                self.push(over, Rate::Feed(self.how.cut_feed), Role::Link);
+                self.push(raised(to, self.how.lift), Rate::Feed(self.how.cut_feed), Role::Link);
+                self.push(to, Rate::Feed(self.how.plunge_feed), Role::Link);
+                return;
+            }
         }
+        let over = raised(to, self.how.lift);
         let (out, back) = (self.refuge.exit(from), self.refuge.exit(to));
         self.push(out, Rate::Rapid, Role::Link);
         for location in self.refuge.way(out, back) {

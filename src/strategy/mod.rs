@@ -1,4 +1,4 @@
-//! From a surface and a cutter to ordered passes that leave no cusp above the limit.
+//! From a shape and a cutter to ordered passes that leave no cusp above the limit: one file a strategy.
 
 mod family;
 mod fill;
@@ -6,7 +6,9 @@ mod finish;
 mod iso_parametric;
 mod iso_planar;
 mod link;
+mod order;
 mod probe;
+mod raster;
 mod spacing;
 mod walk;
 
@@ -14,8 +16,5 @@ pub use finish::{Finish, Order, Planned, StrategyError};
 pub use iso_parametric::iso_parametric;
 pub use iso_planar::iso_planar;
 pub use link::{IsClear, Linked, Linking, Refuge, link};
-//! From a surface to passes: one file a strategy.
-
-mod raster;
-
+pub use order::nearest_next;
 pub use raster::{Raster, RasterError, RasterOptions, raster};
