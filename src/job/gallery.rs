@@ -31,7 +31,7 @@ pub fn gallery() -> Vec<Example> {
             twisted_blade(),
             json!({
                 "cutter": {"kind": "bull_nose", "diameter_mm": 10, "corner_radius_mm": 2, "height_mm": 40},
-                "strategy": {"kind": "iso_parametric", "along": "v", "lead_deg": 5},
+                "strategy": {"kind": "iso_parametric", "along": "v", "lead_deg": 12},
                 "tolerance": {"scallop_mm": 0.01},
             }),
         ),

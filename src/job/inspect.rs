@@ -28,6 +28,8 @@ pub struct Inspected {
     pub kind: &'static str,
     /// Counts and degrees in words.
     pub detail: String,
+    /// Factors that make a handy model of a grid that does not state its spacing, for `source.scale`; otherwise 1.
+    pub suggested_scale: [f64; 3],
     /// Lowest and highest coordinates in millimetres; for a file without a unit, in millimetres as assumed.
     pub bounds_mm: [[f64; 3]; 2],
 }
@@ -54,10 +56,25 @@ pub fn inspect(name: &str, bytes: &[u8]) -> Result<Inspection, JobError> {
         .map(|(index, item)| {
             let (kind, detail, bounds) = describe(&item.summary());
             let bounds_mm = [bounds.0.to_array(), bounds.1.to_array()];
-            Inspected { index, name: item.name.clone(), kind, detail, bounds_mm }
+            let suggested_scale = if part.format == import::Format::Table { handy(bounds) } else { [1.0; 3] };
+            Inspected { index, name: item.name.clone(), kind, detail, suggested_scale, bounds_mm }
         })
         .collect();
     Ok(Inspection { format, unit, warnings, faces })
+}
+
+/// Factors that bring a grid of heights to 100 mm across, with a height of at most a quarter of that. A grid that is not
+/// much higher than wide is taken for one in real units.
+fn handy((low, high): (glam::DVec3, glam::DVec3)) -> [f64; 3] {
+    let size = high - low;
+    let across = size.x.max(size.y);
+    if !(across > 0.0 && size.z > 2.0 * across) {
+        return [1.0; 3];
+    }
+    // Two digits: a person reads and changes them. Text of a finite number reads back.
+    let round = |x: f64| format!("{x:.1e}").parse().unwrap_or(1.0);
+    let flat = round(100.0 / across);
+    [flat, flat, round(25.0 / size.z)]
 }
 
 fn describe(summary: &Summary) -> (&'static str, String, (glam::DVec3, glam::DVec3)) {

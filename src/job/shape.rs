@@ -5,7 +5,7 @@ use super::spec::{SideSpec, SourceSpec};
 use crate::geometry::{Cone, Cylinder, Face, NurbsSurface, Plane, Range, Side, Sphere, Torus, TriMesh};
 use crate::import::{self, Unit};
 use crate::math::frame::Frame;
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 use std::sync::Arc;
 
 /// What is cut: a side of a surface, or the outside of a mesh.
@@ -34,7 +34,9 @@ impl SourceSpec {
             Ok((Shape::Face(Face { surface, side: side.side() }), Vec::new()))
         };
         match self {
-            Self::File { path, face, unit, side } => from_file(path, bytes, *face, unit.as_deref(), *side),
+            Self::File { path, face, unit, scale, side } => {
+                from_file(path, bytes, *face, unit.as_deref(), *scale, *side)
+            }
             Self::Plane { size_mm: [x, y], side } => {
                 let valid = *x > 0.0 && *y > 0.0 && x.is_finite() && y.is_finite();
                 let plane = valid.then(|| {
@@ -99,6 +101,7 @@ fn from_file(
     bytes: Option<&[u8]>,
     face: usize,
     unit: Option<&str>,
+    scale: [f64; 3],
     side: SideSpec,
 ) -> Result<(Shape, Vec<String>), JobError> {
     let Some(bytes) = bytes else {
@@ -112,6 +115,10 @@ fn from_file(
             JobError::field("source.unit", "must be a unit of length such as mm, cm, m or inch".into())
         })?),
     };
+    if !scale.iter().all(|s| *s > 0.0 && s.is_finite()) {
+        return Err(JobError::field("source.scale", "must be three factors above 0".into()));
+    }
+    let scale = DVec3::from_array(scale);
     let count = part.items.len();
     let part = match (stated, part.unit) {
         // A unit that the person states wins over the file's own.
@@ -126,11 +133,22 @@ fn from_file(
         return Err(JobError::field("source.face", format!("must be from 0 to {}", count.saturating_sub(1))));
     };
     let shape = match item.shape {
-        import::Shape::Surface(surface) => Shape::Face(Face { surface, side: side.side() }),
-        import::Shape::Mesh(mesh) if side == SideSpec::Front => Shape::Mesh(mesh),
+        import::Shape::Surface(surface) => {
+            let surface = if scale == DVec3::ONE {
+                surface
+            } else {
+                Arc::new(surface.transformed(&DAffine3::from_scale(scale)))
+            };
+            Shape::Face(Face { surface, side: side.side() })
+        }
         import::Shape::Mesh(mesh) => {
-            let triangles = mesh.triangles.iter().map(|[a, b, c]| [*a, *c, *b]).collect();
-            Shape::Mesh(Arc::new(TriMesh { vertices: mesh.vertices.clone(), triangles }))
+            let vertices = mesh.vertices.iter().map(|&v| v * scale).collect();
+            let turned =
+                |[a, b, c]: &[u32; 3]| if side == SideSpec::Front { [*a, *b, *c] } else { [*a, *c, *b] };
+            Shape::Mesh(Arc::new(TriMesh {
+                vertices,
+                triangles: mesh.triangles.iter().map(turned).collect(),
+            }))
         }
     };
     Ok((shape, notes))

@@ -47,6 +47,10 @@ pub enum SourceSpec {
         /// Unit of its numbers, where the file does not say or says wrong.
         #[serde(default)]
         unit: Option<String>,
+        /// Factors along x, y and z on top of the unit, each above 0: for grids that do not state their spacing, and for
+        /// models made to another scale.
+        #[serde(default = "no_scale")]
+        scale: [f64; 3],
         /// Which side is cut.
         #[serde(default)]
         side: SideSpec,
@@ -124,6 +128,10 @@ pub enum SourceSpec {
         #[serde(default)]
         side: SideSpec,
     },
+}
+
+fn no_scale() -> [f64; 3] {
+    [1.0; 3]
 }
 
 /// Which side is cut.

@@ -94,7 +94,7 @@ impl<'a> Family<'a> {
             let done = if self.levels.periodic {
                 front.gaps(&start).all_but(0.0).is_some_and(|gap| gap <= 0.0)
             } else {
-                last.runs_over_border(Toward::Higher)
+                self.ends_family(last, Toward::Higher)
             };
             if done || from >= self.levels.hi - self.margin() {
                 break;
@@ -118,7 +118,7 @@ impl<'a> Family<'a> {
         if self.levels.periodic {
             return Ok(edge);
         }
-        let fits = |c: &Candidate| c.runs_over_border(Toward::Lower);
+        let fits = |c: &Candidate| self.ends_family(c, Toward::Lower);
         let mut best = edge;
         let (mut inside, mut outside) = (0.0, (2.0 * self.nominal).min(self.levels.length()));
         // A thousandth of the first strip is nothing in the length of a path.
@@ -241,13 +241,29 @@ impl<'a> Family<'a> {
         for _ in 0..10 {
             let middle = 0.5 * (inside + outside);
             let candidate = self.candidate(from + middle, index, stage)?;
-            if candidate.runs_over_border(Toward::Higher) {
+            if self.ends_family(&candidate, Toward::Higher) {
                 (inside, best) = (middle, candidate);
             } else {
                 outside = middle;
             }
         }
         Ok(best)
+    }
+
+    /// Whether nothing is left beyond the pass on that side: its strips run over the border everywhere, and a corner that
+    /// the family of planes ends in lies no farther away than the strips reach to the other side.
+    fn ends_family(&self, candidate: &Candidate, toward: Toward) -> bool {
+        let (end, back) = match toward {
+            Toward::Lower => (self.levels.lo, Toward::Higher),
+            Toward::Higher => (self.levels.hi, Toward::Lower),
+        };
+        let away = (candidate.level - end).abs();
+        let reaches = |p: &Probe| match p.reach(back) {
+            Some(Reach::To { level, .. }) => (level - candidate.level).abs() >= away,
+            Some(Reach::Border { .. }) | None => true,
+        };
+        let corner = matches!(self.setup.field, Field::Along(_));
+        candidate.runs_over_border(toward) && (!corner || candidate.probes.iter().flatten().all(reaches))
     }
 
     pub(super) fn front(&self, candidate: &Candidate, toward: Toward) -> Front {
