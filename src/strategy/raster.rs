@@ -137,7 +137,7 @@ const GRAIN_ACROSS: f64 = 1.0 / 32.0;
 /// Cusps run along the lines and change slowly there.
 const GRAIN_ALONG: f64 = 1.0 / 6.0;
 /// Edge of the zone's cubes in distances of slices: larger ones would blur its rim, smaller ones cost memory.
-const CELL: f64 = 2.0;
+const CELL: f64 = 1.5;
 /// More first lines than this have no use at any scallop, and would overflow the places.
 const MOST_LINES: f64 = 1e5;
 
