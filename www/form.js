@@ -1,0 +1,220 @@
+/**
+ * The settings, made from the schema that the planner exports.
+ *
+ * @import { State, Schema, Group, Field, Spec } from './types.js'
+ */
+import { plain } from './format.js';
+import { chosen, fault, fieldsOf, fitting, read, shapeOf } from './spec.js';
+import { has, prettify, t } from './text/index.js';
+import { createCutterSketch } from './view/cutter-sketch.js';
+import { attribute, h, say } from './view/dom.js';
+
+/** Groups that are open at first: what most people set. */
+const OPEN = new Set(['cutter', 'strategy', 'tolerance']);
+
+/**
+ * @typedef {{ input: HTMLInputElement | HTMLSelectElement, row: HTMLElement, message: HTMLElement,
+ *   field: Field }} Entry
+ */
+
+/**
+ * @param {HTMLElement} root
+ * @param {{ onEdit: (path: string, value: any) => void, onVariant: (group: Group, kind: string) => void }} callbacks
+ */
+export function createForm(root, { onEdit, onVariant }) {
+  /** @type {Map<string, Entry>} */
+  let entries = new Map();
+  /** @type {Map<string, { body: HTMLElement, summary: HTMLElement, select: HTMLSelectElement | null }>} */
+  const groups = new Map();
+  const sketch = createCutterSketch();
+  let shown = '';
+
+  /** @param {Schema} schema */
+  function build(schema) {
+    root.replaceChildren(
+      ...schema.groups.map((group) => {
+        const summary = h('span', { class: 'brief' });
+        const body = h('div', { class: 'fields' });
+        groups.set(group.id, { body, summary, select: null });
+        const title = t(`group.${group.id}`, {}, prettify(group.id));
+        return h(
+          'details',
+          { class: 'panel', open: OPEN.has(group.id), 'data-group': group.id },
+          h('summary', {}, h('h2', {}, title), summary),
+          body,
+        );
+      }),
+    );
+  }
+
+  /** @param {Schema} schema @param {Spec} spec @param {string} shape */
+  function fillGroups(schema, spec, shape) {
+    entries = new Map();
+    for (const group of schema.groups) {
+      const parts = groups.get(group.id);
+      if (!parts) continue;
+      const rows = fieldsOf(group, spec).map((field) => fieldRow(group, field));
+      const variants = fitting(group, shape);
+      parts.select = variants.length > 0 ? variantSelect(group, variants) : null;
+      const picker = parts.select
+        ? h(
+            'label',
+            { class: 'field wide' },
+            h('span', {}, t(`kind.${group.path}`, {}, t('kind'))),
+            parts.select,
+          )
+        : null;
+      const picture = group.id === 'cutter' ? sketch.element : null;
+      parts.body.replaceChildren(.../** @type {Node[]} */ ([picture, picker, ...rows].filter(Boolean)));
+    }
+  }
+
+  /** @param {Group} group @param {{ kind: string }[]} variants */
+  function variantSelect(group, variants) {
+    const options = variants.map(({ kind }) =>
+      h('option', { value: kind }, t(`kind.${group.path}.${kind}`, {}, prettify(kind))),
+    );
+    return h(
+      'select',
+      {
+        name: `${group.path}.kind`,
+        onchange: (/** @type {Event} */ event) =>
+          onVariant(group, /** @type {HTMLSelectElement} */ (event.target).value),
+      },
+      ...options,
+    );
+  }
+
+  /** @param {Group} group @param {Field} field */
+  function fieldRow(group, field) {
+    const path = `${group.path}.${field.name}`;
+    const id = `field-${path}`;
+    const input = control(field, path);
+    input.id = id;
+    const message = h('p', { class: 'message', id: `${id}-message`, 'aria-live': 'polite' });
+    const unit = field.unit ? h('span', { class: 'unit' }, t(`unit.${field.unit}`, {}, field.unit)) : null;
+    const help = has(`help.${path}`) ? h('p', { class: 'help', id: `${id}-help` }, t(`help.${path}`)) : null;
+    const row = h(
+      'div',
+      { class: `field ${field.type}`, 'data-field': path },
+      h('label', { for: id }, t(`field.${path}`, {}, prettify(field.name))),
+      h('span', { class: 'value' }, input, unit),
+      help,
+      message,
+    );
+    input.setAttribute('aria-describedby', `${help ? `${help.id} ` : ''}${message.id}`);
+    entries.set(path, { input, row, message, field });
+    return row;
+  }
+
+  /** @param {Field} field @param {string} path @returns {HTMLInputElement | HTMLSelectElement} */
+  function control(field, path) {
+    if (field.type === 'choice') {
+      const options = (field.options ?? []).map((option) =>
+        h('option', { value: option }, t(`choice.${option}`, {}, prettify(option))),
+      );
+      const select = h('select', { name: path, onchange: () => onEdit(path, select.value) }, ...options);
+      return select;
+    }
+    if (field.type === 'boolean') {
+      const box = h('input', { type: 'checkbox', name: path, onchange: () => onEdit(path, box.checked) });
+      return box;
+    }
+    const input = h('input', {
+      type: 'number',
+      name: path,
+      // The step is for the arrow keys; values between the steps are as good.
+      step: field.step ?? (field.type === 'integer' ? 1 : 'any'),
+      min: field.min,
+      max: field.max,
+      inputmode: field.type === 'integer' ? 'numeric' : 'decimal',
+      autocomplete: 'off',
+      oninput: () => onEdit(path, Number.isNaN(input.valueAsNumber) ? null : input.valueAsNumber),
+    });
+    return input;
+  }
+
+  /** @param {State} state @param {Spec} spec */
+  function showValues(state, spec) {
+    for (const [path, { input, row, message, field }] of entries) {
+      const value = read(spec, path);
+      if (input instanceof HTMLInputElement && input.type === 'checkbox') input.checked = value === true;
+      else if (input instanceof HTMLInputElement) {
+        const typed = Number.isNaN(input.valueAsNumber) ? null : input.valueAsNumber;
+        if (typed !== (value ?? null))
+          input.value = value === null || value === undefined ? '' : String(value);
+      } else input.value = String(value);
+      const own = faultText(field, value);
+      const told = state.problem?.field === path ? state.problem.message : '';
+      const text = own || told;
+      say(message, text);
+      row.classList.toggle('wrong', text !== '');
+      attribute(input, 'aria-invalid', text === '' ? null : 'true');
+    }
+  }
+
+  return {
+    /** @param {State} state */
+    update(state) {
+      if (!state.schema || !state.draft) return;
+      const { schema } = state;
+      const { spec } = state.draft;
+      const shape = shapeOf(state.draft);
+      if (groups.size === 0) build(schema);
+      const kinds = `${shape} ${schema.groups.map((group) => chosen(group, spec)?.kind ?? '').join(' ')}`;
+      if (kinds !== shown) {
+        const focused = /** @type {HTMLSelectElement | null} */ (document.activeElement)?.name;
+        fillGroups(schema, spec, shape);
+        shown = kinds;
+        const again = focused ? root.querySelector(`[name="${focused}"]`) : null;
+        if (again instanceof HTMLElement) again.focus();
+      }
+      for (const group of schema.groups) {
+        const parts = groups.get(group.id);
+        if (!parts) continue;
+        const kind = chosen(group, spec)?.kind;
+        if (parts.select && kind) parts.select.value = kind;
+        say(parts.summary, brief(group, spec));
+      }
+      showValues(state, spec);
+      sketch.update(spec.cutter);
+    },
+
+    /** Puts the cursor into a field and shows it. @param {string} path */
+    focus(path) {
+      const entry = entries.get(path);
+      if (!entry) return false;
+      const panel = entry.row.closest('details');
+      if (panel) panel.open = true;
+      entry.row.scrollIntoView({ block: 'center' });
+      entry.input.focus({ preventScroll: true });
+      return true;
+    },
+  };
+}
+
+/** What is wrong with a value, in words; '' if nothing. @param {Field} field @param {any} value */
+function faultText(field, value) {
+  const code = fault(field, value);
+  if (!code) return '';
+  const unit = field.unit ? ` ${t(`unit.${field.unit}`, {}, field.unit)}` : '';
+  const bound = (/** @type {number | undefined} */ at) => (at === undefined ? '' : plain(at) + unit);
+  return t(`fault.${code}`, { min: bound(field.min), max: bound(field.max) });
+}
+
+/** A group in a few words, for when it is folded. @param {Group} group @param {Spec} spec */
+function brief(group, spec) {
+  const kind = chosen(group, spec)?.kind;
+  const words = kind ? [t(`kind.${group.path}.${kind}`, {}, prettify(kind))] : [];
+  for (const field of fieldsOf(group, spec)) {
+    const value = read(spec, `${group.path}.${field.name}`);
+    if (words.length >= 2) break;
+    if (typeof value === 'number' && Number.isFinite(value)) {
+      const unit = field.unit ? ` ${t(`unit.${field.unit}`, {}, field.unit)}` : '';
+      words.push(plain(value) + unit);
+    } else if (typeof value === 'string' && kind === undefined) {
+      words.push(t(`choice.${value}`, {}, prettify(value)));
+    }
+  }
+  return words.join(' · ');
+}

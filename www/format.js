@@ -1,0 +1,72 @@
+/** Numbers for people, each with its unit. */
+import { t } from './text/index.js';
+
+const SPACE = ' ';
+
+/** @param {number} value @param {number} digits */
+function fixed(value, digits) {
+  return new Intl.NumberFormat(t('locale'), { minimumFractionDigits: digits, maximumFractionDigits: digits })
+    .format(value)
+    .replace(/^-/, '−');
+}
+
+/** A number without needless zeros. @param {number} value */
+export function plain(value) {
+  return new Intl.NumberFormat(t('locale'), { maximumSignificantDigits: 7 }).format(value).replace(/^-/, '−');
+}
+
+/** @param {number} value @param {string} unit */
+function withUnit(value, unit) {
+  const size = Math.abs(value);
+  return `${fixed(value, size >= 1000 ? 0 : size >= 10 ? 1 : 2)}${SPACE}${unit}`;
+}
+
+/** @param {number} mm */
+export const length = (mm) => withUnit(mm, 'mm');
+
+/** @param {number} mm2 */
+export const area = (mm2) => withUnit(mm2, 'mm²');
+
+/** Millimetres as micrometres. @param {number} mm */
+export function micron(mm) {
+  const um = mm * 1000;
+  const digits = Math.abs(um) >= 100 ? 0 : Math.abs(um) >= 1 ? 1 : 2;
+  return `${fixed(Math.abs(um) < 0.005 ? 0 : um, digits)}${SPACE}µm`;
+}
+
+/** @param {number} value */
+export const count = (value) => fixed(value, 0);
+
+/** A share from 0 to 1; all is said only of all. @param {number} share */
+export function percent(share) {
+  const value = share < 1 ? Math.min(share * 100, 99.99) : 100;
+  return `${fixed(value, value === 100 || value < 10 ? 0 : value > 99.9 ? 2 : 1)}${SPACE}%`;
+}
+
+/** @param {number} seconds */
+export function seconds(seconds) {
+  if (seconds < 0.1) return `${fixed(seconds * 1000, 0)}${SPACE}ms`;
+  if (seconds < 100) return `${fixed(seconds, seconds < 10 ? 2 : 1)}${SPACE}s`;
+  return minutes(seconds / 60);
+}
+
+/** @param {number} minutes */
+export function minutes(minutes) {
+  const total = Math.round(minutes * 60);
+  const h = Math.floor(total / 3600);
+  const m = Math.floor((total % 3600) / 60);
+  const s = total % 60;
+  if (h > 0) return `${h}${SPACE}h ${m}${SPACE}min`;
+  return m > 0 ? `${m}${SPACE}min ${s}${SPACE}s` : `${s}${SPACE}s`;
+}
+
+/** @param {number} count */
+export function bytes(count) {
+  return count < 1e6 ? `${fixed(count / 1e3, 0)}${SPACE}kB` : `${fixed(count / 1e6, 1)}${SPACE}MB`;
+}
+
+/** Three edges of a box. @param {[number[], number[]]} bounds @param {string} unit */
+export function box([low, high], unit) {
+  const edges = low.map((from, i) => fixed(high[i] - from, Math.abs(high[i] - from) >= 100 ? 0 : 1));
+  return `${edges.join(' × ')}${SPACE}${unit}`;
+}

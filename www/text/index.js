@@ -1,0 +1,30 @@
+/** Looks texts up. A second language is one more table beside `en.js`. */
+import en from './en.js';
+
+/** @type {Record<string, string>} */
+const table = en;
+
+/**
+ * The text with this id, its `{places}` filled; for an unknown id the text `fallback`, or the id.
+ *
+ * @param {string} id
+ * @param {Record<string, string | number>} [places]
+ * @param {string} [fallback]
+ */
+export function t(id, places = {}, fallback = id) {
+  const text = table[id] ?? fallback;
+  return text.replace(/\{(\w+)\}/g, (all, name) => String(places[name] ?? all));
+}
+
+/** Whether there is a text with this id. @param {string} id */
+export const has = (id) => id in table;
+
+/**
+ * A readable form of a name that the table does not know: `corner_radius_mm` is “Corner radius”.
+ *
+ * @param {string} name
+ */
+export function prettify(name) {
+  const words = name.replace(/_(mm2|mm_min|mm|um|deg|rad|rpm|min|percent)$/, '').replaceAll('_', ' ');
+  return words.charAt(0).toUpperCase() + words.slice(1);
+}

@@ -1,0 +1,48 @@
+/**
+ * The shapes that page, worker and planner exchange. The planner's own documentation is the authority.
+ *
+ * @typedef {{ name: string, type: 'number' | 'integer' | 'boolean' | 'choice', unit?: string, min?: number,
+ *   max?: number, step?: number, default: any, options?: string[], optional?: boolean }} Field
+ * @typedef {{ kind: string, fields: Field[], for?: string[] }} Variant
+ * @typedef {{ id: string, path: string, variants?: Variant[], fields?: Field[] }} Group
+ * @typedef {{ version: number, groups: Group[] }} Schema
+ *
+ * @typedef {{ version: number, name: string, source: any, [group: string]: any }} Spec
+ * @typedef {{ id: string, spec: Spec }} GalleryItem
+ * @typedef {{ index: number, name: string, kind: string, detail?: string,
+ *   bounds_mm: [number[], number[]] }} Face
+ * @typedef {{ format: string, unit: string | null, warnings: string[], faces: Face[] }} Inspection
+ *
+ * @typedef {{ positions: Float32Array, normals: Float32Array, indices: Uint32Array }} Picture
+ * Positions in millimetres, three numbers a vertex.
+ *
+ * @typedef {{ version: number, name: string, strategy: string,
+ *   length: { cut_mm: number, link_mm: number, rapid_mm: number }, passes: number, points: number,
+ *   time_min: number | null, area_mm2: number, unreachable: { area_mm2: number, cell_mm: number } | null,
+ *   verified: Verified | null, scallop_mm: number, warnings: string[] }} Report
+ * @typedef {{ largest_excess_mm: number, largest_excess_at: number[] | null, largest_gouge_mm: number,
+ *   largest_gouge_at: number[] | null, sampling_error_mm: number, median_mm: number, q95_mm: number,
+ *   q99_mm: number, share_within: number, samples: number, excluded_area_mm2: number }} Verified
+ *
+ * @typedef {{ report: Report, seconds: number, picture: Picture, path: Float32Array, contacts: Float32Array,
+ *   excess: Float32Array, zones: Float32Array,
+ *   files: { apt: Blob, nc: Blob | null, csv: Blob, report: Blob } }} Outcome
+ * `path` has eight numbers a point: tip x, y, z, axis i, j, k, kind (0 cut, 1 link, 2 rapid), length so far.
+ * `contacts` has three: where the cutter touches, or the tip on links. `excess` has one a vertex of the picture.
+ *
+ * @typedef {{ code: string, message: string, field?: string }} Problem
+ * @typedef {{ id: string | null, name: string, bytes: Uint8Array | null, info: Inspection | null }} Source
+ * What is to be cut: an item of the gallery (`id`) or a file (`bytes`).
+ *
+ * @typedef {{ spec: Spec, source: Source }} Draft
+ * Everything that a person edits, and what undo goes back to.
+ *
+ * @typedef {{ op: string, phase: string, fraction: number }} Job
+ * @typedef {{ passes: boolean, links: boolean, excess: boolean, zones: boolean, side: boolean,
+ *   cutter: boolean }} Layers
+ * @typedef {{ schema: Schema | null, gallery: GalleryItem[], draft: Draft | null, canUndo: boolean,
+ *   canRedo: boolean, picture: Picture | null, outcome: Outcome | null, planned: Draft | null,
+ *   job: Job | null, problem: Problem | null, layers: Layers, at: number, dragging: boolean }} State
+ * `planned` is the draft that `outcome` belongs to; `at` is the share of the path that is shown, 0 to 1.
+ */
+export {};

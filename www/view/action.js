@@ -1,0 +1,52 @@
+/**
+ * The button that plans, and while it does, how far it is and the button that stops it.
+ *
+ * @import { State } from '../types.js'
+ */
+import { t } from '../text/index.js';
+import { h, say } from './dom.js';
+
+/**
+ * @param {HTMLElement} root
+ * @param {{ onPlan: () => void, onCancel: () => void }} callbacks
+ */
+export function createAction(root, { onPlan, onCancel }) {
+  const plan = h(
+    'button',
+    { type: 'button', class: 'primary', name: 'plan', onclick: onPlan },
+    t('action.plan'),
+  );
+  const bar = h('progress', { max: 1, value: 0, 'aria-label': t('progress.title') });
+  const phase = h('span', { class: 'phase' });
+  const share = h('span', { class: 'share' });
+  const cancel = h('button', { type: 'button', name: 'cancel', onclick: onCancel }, t('action.cancel'));
+  const busy = h(
+    'div',
+    { class: 'busy' },
+    h('div', { class: 'status' }, h('div', { class: 'words' }, phase, share), bar),
+    cancel,
+  );
+  root.append(plan, busy);
+  let wasPlanning = false;
+
+  return {
+    /** @param {State} state */
+    update({ job, draft, planned, outcome }) {
+      const planning = job?.op === 'plan';
+      busy.hidden = !planning;
+      plan.hidden = planning;
+      plan.disabled = !draft;
+      say(plan, t(outcome && draft !== planned ? 'action.replan' : 'action.plan'));
+      plan.classList.toggle('done', outcome !== null && draft === planned);
+      if (planning) {
+        say(phase, t(`phase.${job.phase}`, {}, job.phase || t('progress.plan')));
+        say(share, `${Math.floor(job.fraction * 100)} %`);
+        bar.value = job.fraction;
+      }
+      // The keyboard stays where the eye is when one button takes the other's place.
+      if (planning && !wasPlanning && document.activeElement === document.body) cancel.focus();
+      if (!planning && wasPlanning && document.activeElement === document.body) plan.focus();
+      wasPlanning = planning;
+    },
+  };
+}

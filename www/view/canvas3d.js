@@ -1,0 +1,135 @@
+/**
+ * The picture of surface, path and cutter. A frame is drawn only when something changed.
+ *
+ * @import { State } from '../types.js'
+ */
+import { Color, DirectionalLight, HemisphereLight, Scene, SRGBColorSpace, WebGLRenderer } from 'three';
+import { t } from '../text/index.js';
+import { createCamera } from './camera.js';
+import { createCutterModel } from './cutter-model.js';
+import { h } from './dom.js';
+import { createGround } from './ground.js';
+import { createPathLines, locate } from './path-lines.js';
+import { createSurfaceMesh } from './surface-mesh.js';
+import { createZones } from './zones.js';
+
+/** Sharper than this nobody sees, and it costs the square. */
+const SHARPEST = 2;
+
+/** @param {HTMLElement} root */
+export function createCanvas3d(root) {
+  const canvas = h('canvas', { tabindex: 0, 'aria-label': t('canvas.label') });
+  root.append(canvas);
+  const renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+  renderer.outputColorSpace = SRGBColorSpace;
+  const scene = new Scene();
+  const surface = createSurfaceMesh();
+  const path = createPathLines();
+  const cutter = createCutterModel();
+  const zones = createZones();
+  const ground = createGround();
+  const view = createCamera(canvas, draw);
+  // Lights travel with the eye: whatever is looked at is lit from above the left shoulder.
+  const sky = new HemisphereLight(0xffffff, 0x8a8f98, 1.35);
+  const key = new DirectionalLight(0xffffff, 2.1);
+  key.position.set(-0.6, 0.9, 1);
+  view.camera.add(key);
+  scene.add(sky, view.camera, ground.grid, surface.group, path.group, zones.root.cubes, cutter.mesh);
+  let scheduled = false;
+  /** @type {State | null} */
+  let last = null;
+  /** @type {Partial<State>} */
+  let painted = {};
+  let framed = '';
+
+  function draw() {
+    if (scheduled) return;
+    scheduled = true;
+    requestAnimationFrame(() => {
+      scheduled = false;
+      renderer.render(scene, view.camera);
+    });
+  }
+
+  function theme() {
+    const style = getComputedStyle(root);
+    const color = (/** @type {string} */ name) => new Color(style.getPropertyValue(name).trim() || '#888');
+    for (const part of [surface, path, cutter, zones, ground]) part.theme(color);
+    draw();
+  }
+
+  function resize() {
+    const { clientWidth: width, clientHeight: height } = root;
+    if (width === 0 || height === 0) return;
+    renderer.setPixelRatio(Math.min(devicePixelRatio, SHARPEST));
+    renderer.setSize(width, height, false);
+    view.resize(width, height);
+    // Drawn at once: a canvas that changed its size is empty until then.
+    renderer.render(scene, view.camera);
+  }
+
+  new ResizeObserver(resize).observe(root);
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', theme);
+  canvas.addEventListener('webglcontextrestored', draw);
+  theme();
+
+  /** @param {State} state */
+  function showSurface(state) {
+    const { outcome, layers } = state;
+    const picture = outcome?.picture ?? state.picture;
+    const isNew = surface.set(picture);
+    if (isNew && picture) {
+      ground.set(surface.box);
+      view.frame(surface.box);
+      // Another surface is looked at afresh; a new plan of the same one leaves the eye where it is.
+      const place = [surface.box.min, surface.box.max]
+        .map((p) => p.toArray().map((x) => x.toPrecision(3)))
+        .join();
+      if (place !== framed) view.look('iso');
+      framed = place;
+    }
+    if (isNew || painted.outcome !== outcome || painted.layers !== layers) {
+      const coloured = layers.excess && outcome?.report.verified;
+      surface.paint(coloured ? outcome.excess : null, outcome?.report ?? null);
+      surface.showArrows(layers.side);
+      path.show(layers, Boolean(coloured));
+      zones.root.cubes.visible = layers.zones;
+    }
+  }
+
+  /** @param {State} state */
+  function showPath({ outcome, planned, layers, at }) {
+    const size = surface.box.isEmpty() ? 100 : surface.box.min.distanceTo(surface.box.max);
+    path.set(outcome, size);
+    zones.set(outcome?.zones ?? null, outcome?.report.unreachable?.cell_mm ?? 1, (before, after) => {
+      after.visible = layers.zones;
+      scene.remove(before);
+      scene.add(after);
+    });
+    cutter.set(planned?.spec.cutter);
+    if (!outcome || outcome.path.length === 0) {
+      cutter.show(false);
+      return;
+    }
+    const { point, tip, axis } = locate(outcome.path, at);
+    path.upTo(at >= 1 ? Infinity : point);
+    cutter.place(tip, axis);
+    cutter.show(layers.cutter && at < 1);
+  }
+
+  return {
+    /** @param {State} state */
+    update(state) {
+      const keys = /** @type {const} */ (['picture', 'outcome', 'planned', 'layers', 'at']);
+      if (last && keys.every((name) => last?.[name] === state[name])) return;
+      last = state;
+      showSurface(state);
+      showPath(state);
+      painted = { outcome: state.outcome, layers: state.layers };
+      draw();
+    },
+
+    /** @param {string} name 'fit', 'iso', 'top' or 'front'. */
+    look: (name) => view.look(name),
+  };
+}

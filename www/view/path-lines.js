@@ -1,0 +1,178 @@
+/**
+ * The path: passes, links at feed and rapids, each one buffer however long the path is.
+ *
+ * @import { Outcome } from '../types.js'
+ */
+import {
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  Group,
+  LineBasicMaterial,
+  LineDashedMaterial,
+  LineSegments,
+} from 'three';
+
+/** Numbers a point of `path`; the kind of the move that ends there, and the length so far. */
+export const STRIDE = 8;
+const KIND = 6;
+const LENGTH = 7;
+
+/** A dash and its gap as shares of the picture's size. */
+const DASH = 0.012;
+
+export function createPathLines() {
+  const cut = new LineSegments(new BufferGeometry(), nearer(new LineBasicMaterial({ transparent: true })));
+  // What is still to come when the path is shown up to a position only.
+  const ahead = new LineSegments(
+    new BufferGeometry(),
+    nearer(new LineBasicMaterial({ transparent: true, opacity: 0.16, depthWrite: false })),
+  );
+  const link = new LineSegments(
+    new BufferGeometry(),
+    new LineBasicMaterial({ transparent: true, opacity: 0.7 }),
+  );
+  const rapid = new LineSegments(
+    new BufferGeometry(),
+    new LineDashedMaterial({ transparent: true, opacity: 0.55 }),
+  );
+  const group = new Group();
+  group.add(ahead, cut, link, rapid);
+  /** @type {Outcome | null} */
+  let shown = null;
+  /** Point at which each segment ends, per kind. @type {Uint32Array[]} */
+  let ends = [];
+
+  return {
+    group,
+
+    /** @param {Outcome | null} outcome @param {number} size Of the picture, millimetres. */
+    set(outcome, size) {
+      if (outcome === shown) return;
+      shown = outcome;
+      for (const line of [cut, ahead, link, rapid]) {
+        line.geometry.dispose();
+        line.geometry = new BufferGeometry();
+      }
+      ends = [];
+      if (!outcome) return;
+      const { path, contacts } = outcome;
+      const points = path.length / STRIDE;
+      const position = new BufferAttribute(contacts, 3);
+      ends = segmentEnds(path, points);
+      [cut, link, rapid].forEach((line, kind) => {
+        line.geometry.setAttribute('position', position);
+        line.geometry.setIndex(new BufferAttribute(segments(ends[kind]), 1));
+      });
+      ahead.geometry.setAttribute('position', position);
+      ahead.geometry.setIndex(cut.geometry.index);
+      const lengths = new Float32Array(points);
+      for (let i = 0; i < points; i += 1) lengths[i] = path[i * STRIDE + LENGTH];
+      rapid.geometry.setAttribute('lineDistance', new BufferAttribute(lengths, 1));
+      rapid.material.dashSize = size * DASH;
+      rapid.material.gapSize = size * DASH;
+    },
+
+    /** Shows the path up to a point, and the rest faintly. @param {number} point Index, `Infinity` for all. */
+    upTo(point) {
+      [cut, link, rapid].forEach((line, kind) => {
+        line.geometry.setDrawRange(0, 2 * countUpTo(ends[kind], point));
+      });
+      ahead.geometry.setDrawRange(2 * countUpTo(ends[0], point), Infinity);
+    },
+
+    /** @param {{ passes: boolean, links: boolean }} layers @param {boolean} overColours Whether the surface is coloured. */
+    show({ passes, links }, overColours) {
+      cut.visible = passes;
+      ahead.visible = passes;
+      link.visible = links;
+      rapid.visible = links;
+      cut.material.opacity = overColours ? 0.6 : 0.9;
+    },
+
+    /** @param {(name: string) => Color} color */
+    theme(color) {
+      cut.material.color.copy(color('--path-cut'));
+      ahead.material.color.copy(color('--path-cut'));
+      link.material.color.copy(color('--path-link'));
+      rapid.material.color.copy(color('--path-rapid'));
+    },
+  };
+}
+
+/**
+ * Draws a little nearer to the eye, so that contact points are not hidden by the triangles that stand for the surface.
+ *
+ * @template {import('three').Material} M
+ * @param {M} material
+ */
+function nearer(material) {
+  material.onBeforeCompile = (shader) => {
+    shader.vertexShader = shader.vertexShader.replace(
+      '#include <project_vertex>',
+      '#include <project_vertex>\ngl_Position.z -= 0.0006 * gl_Position.w;',
+    );
+  };
+  return material;
+}
+
+/** For each kind the points at which its segments end, ascending. @param {Float32Array} path @param {number} points */
+function segmentEnds(path, points) {
+  const counts = [0, 0, 0];
+  for (let i = 1; i < points; i += 1) counts[path[i * STRIDE + KIND]] += 1;
+  const lists = counts.map((n) => new Uint32Array(n));
+  counts.fill(0);
+  for (let i = 1; i < points; i += 1) {
+    const kind = path[i * STRIDE + KIND];
+    lists[kind][counts[kind]] = i;
+    counts[kind] += 1;
+  }
+  return lists;
+}
+
+/** @param {Uint32Array} list */
+function segments(list) {
+  const index = new Uint32Array(2 * list.length);
+  list.forEach((end, i) => {
+    index[2 * i] = end - 1;
+    index[2 * i + 1] = end;
+  });
+  return index;
+}
+
+/** How many of an ascending list are at most `point`. @param {Uint32Array | undefined} list @param {number} point */
+function countUpTo(list, point) {
+  let low = 0;
+  let high = list?.length ?? 0;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (/** @type {Uint32Array} */ (list)[middle] <= point) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
+
+/**
+ * Where the cutter is after a share of the path: the point reached last, and tip and axis between it and the next.
+ *
+ * @param {Float32Array} path
+ * @param {number} at From 0 to 1.
+ */
+export function locate(path, at) {
+  const points = path.length / STRIDE;
+  const wanted = at * path[(points - 1) * STRIDE + LENGTH];
+  let low = 0;
+  let high = points - 1;
+  while (low < high) {
+    const middle = (low + high + 1) >> 1;
+    if (path[middle * STRIDE + LENGTH] <= wanted) low = middle;
+    else high = middle - 1;
+  }
+  const next = Math.min(low + 1, points - 1);
+  const from = path[low * STRIDE + LENGTH];
+  const span = path[next * STRIDE + LENGTH] - from;
+  const share = span > 0 ? (wanted - from) / span : 0;
+  const mix = (/** @type {number} */ k) =>
+    path[low * STRIDE + k] + (path[next * STRIDE + k] - path[low * STRIDE + k]) * share;
+  return { point: at >= 1 ? points : low, tip: [mix(0), mix(1), mix(2)], axis: [mix(3), mix(4), mix(5)] };
+}

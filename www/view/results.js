@@ -1,0 +1,123 @@
+/**
+ * The figures of a planned path.
+ *
+ * @import { State, Outcome, Report, Verified } from '../types.js'
+ */
+import * as format from '../format.js';
+import { prettify, t } from '../text/index.js';
+import { createDistribution } from './distribution.js';
+import { h, icon } from './dom.js';
+
+/** @param {HTMLElement} root */
+export function createResults(root) {
+  const stale = h('p', { class: 'stale' }, t('results.stale'));
+  const body = h('div', { class: 'figures' });
+  const empty = h('p', { class: 'help' }, t('results.empty'));
+  root.append(stale, empty, body);
+  /** @type {Outcome | null} */
+  let shown = null;
+
+  return {
+    /** @param {State} state */
+    update({ outcome, draft, planned }) {
+      empty.hidden = outcome !== null;
+      body.hidden = outcome === null;
+      stale.hidden = outcome === null || draft === planned;
+      root.classList.toggle('old', !stale.hidden);
+      if (outcome && outcome !== shown) body.replaceChildren(...figures(outcome));
+      shown = outcome;
+    },
+  };
+}
+
+/** @param {Outcome} outcome */
+function figures({ report, seconds }) {
+  const missed = report.unreachable?.area_mm2 ?? 0;
+  const reached = report.area_mm2 > 0 ? Math.max(0, 1 - missed / report.area_mm2) : 1;
+  return [
+    h(
+      'dl',
+      { class: 'headline' },
+      pair(t('results.length'), format.length(report.length.cut_mm), 'cut'),
+      pair(t('results.passes'), format.count(report.passes), 'passes'),
+      report.time_min === null ? null : pair(t('results.machining'), format.minutes(report.time_min), 'time'),
+    ),
+    proof(report),
+    table(t('results.surface'), [
+      ['reached', t('results.reached'), format.percent(reached)],
+      ['unreachable', t('results.unreachable'), format.area(missed)],
+      ['area', t('results.area'), format.area(report.area_mm2)],
+    ]),
+    table(t('results.path'), [
+      [
+        'strategy',
+        t('results.strategy'),
+        t(`kind.strategy.${report.strategy}`, {}, prettify(report.strategy)),
+      ],
+      ['links', t('results.links'), format.length(report.length.link_mm)],
+      ['rapids', t('results.rapids'), format.length(report.length.rapid_mm)],
+      ['points', t('results.points'), format.count(report.points)],
+      ['computed', t('results.computed'), format.seconds(seconds)],
+    ]),
+    report.warnings.length > 0 &&
+      h(
+        'div',
+        { class: 'warnings' },
+        h('h3', {}, t('results.warnings')),
+        h('ul', {}, ...report.warnings.map((warning) => h('li', {}, warning))),
+      ),
+  ].filter((node) => node !== false);
+}
+
+/** @param {Report} report */
+function proof({ verified, scallop_mm }) {
+  if (!verified)
+    return h('section', { class: 'proof' }, h('h3', {}, t('results.proof')), t('results.proof.none'));
+  // A path is as good as its worst sample, read against the limit and what sampling can miss.
+  const most = scallop_mm + verified.sampling_error_mm;
+  const good = verified.largest_excess_mm <= most && verified.largest_gouge_mm <= most;
+  const limit = format.micron(scallop_mm);
+  return h(
+    'section',
+    { class: 'proof' },
+    h('h3', {}, t('results.proof')),
+    h(
+      'p',
+      { class: good ? 'verdict good' : 'verdict bad' },
+      icon(good ? 'good' : 'bad'),
+      t(good ? 'results.proof.good' : 'results.proof.bad', { limit }),
+    ),
+    createDistribution(verified, scallop_mm),
+    list(proofRows(verified)),
+  );
+}
+
+/** @param {Verified} v @returns {[string, string, string][]} */
+function proofRows(v) {
+  /** @type {[string, string, string][]} */
+  const rows = [
+    ['excess', t('results.excess'), format.micron(v.largest_excess_mm)],
+    ['gouge', t('results.gouge'), format.micron(v.largest_gouge_mm)],
+    ['error', t('results.error'), `± ${format.micron(v.sampling_error_mm)}`],
+    ['within', t('results.within'), format.percent(v.share_within)],
+    ['samples', t('results.samples'), format.count(v.samples)],
+  ];
+  if (v.excluded_area_mm2 > 0)
+    rows.push(['excluded', t('results.excluded'), format.area(v.excluded_area_mm2)]);
+  return rows;
+}
+
+/** @param {string} title @param {[string, string, string][]} rows */
+function table(title, rows) {
+  return h('section', {}, h('h3', {}, title), list(rows));
+}
+
+/** @param {[string, string, string][]} rows */
+function list(rows) {
+  return h('dl', {}, ...rows.map(([id, name, value]) => pair(name, value, id)));
+}
+
+/** @param {string} name @param {string} value @param {string} id */
+function pair(name, value, id) {
+  return h('div', { 'data-figure': id }, h('dt', {}, name), h('dd', {}, value));
+}

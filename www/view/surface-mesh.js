@@ -1,0 +1,154 @@
+/**
+ * The surface: shaded, tinted where it is seen from the side that is not cut, coloured by excess, with arrows on
+ * the side that is cut.
+ *
+ * @import { Picture, Report } from '../types.js'
+ */
+import {
+  Box3,
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  DoubleSide,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshStandardMaterial,
+  Vector3,
+} from 'three';
+import { excessColor, excessRange, UNKNOWN } from './colors.js';
+
+/** About as many arrows as this stand on the surface. */
+const ARROWS = 70;
+
+export function createSurfaceMesh() {
+  const back = { value: new Color() };
+  const material = new MeshStandardMaterial({
+    side: DoubleSide,
+    roughness: 0.62,
+    metalness: 0.08,
+    // Lines that lie on the surface are drawn in front of it.
+    polygonOffset: true,
+    polygonOffsetFactor: 1.5,
+    polygonOffsetUnits: 2,
+  });
+  // Which side is seen is told by the normals, not by the triangles' order, which files get wrong.
+  material.onBeforeCompile = (shader) => {
+    shader.uniforms.backColor = back;
+    shader.fragmentShader = shader.fragmentShader
+      .replace('#include <common>', '#include <common>\nuniform vec3 backColor;')
+      .replace(
+        '#include <normal_fragment_begin>',
+        `vec3 normal = normalize(vNormal);
+        if (dot(normal, vViewPosition) < 0.0) {
+          normal = -normal;
+          diffuseColor.rgb = mix(diffuseColor.rgb, backColor, 0.75);
+        }
+        vec3 nonPerturbedNormal = normal;`,
+      );
+  };
+  const mesh = new Mesh(new BufferGeometry(), material);
+  const arrows = new LineSegments(new BufferGeometry(), new LineBasicMaterial());
+  const group = new Group();
+  group.add(mesh, arrows);
+  /** @type {Picture | null} */
+  let shown = null;
+  const plain = new Color();
+  const box = new Box3();
+
+  return {
+    group,
+    box,
+
+    /** @param {Picture | null} picture Whether it is another one. */
+    set(picture) {
+      if (picture === shown) return false;
+      shown = picture;
+      mesh.geometry.dispose();
+      arrows.geometry.dispose();
+      mesh.geometry = new BufferGeometry();
+      arrows.geometry = new BufferGeometry();
+      box.makeEmpty();
+      if (!picture) return true;
+      mesh.geometry.setAttribute('position', new BufferAttribute(picture.positions, 3));
+      mesh.geometry.setAttribute('normal', new BufferAttribute(picture.normals, 3));
+      mesh.geometry.setIndex(new BufferAttribute(picture.indices, 1));
+      mesh.geometry.computeBoundingBox();
+      box.copy(mesh.geometry.boundingBox ?? box);
+      arrows.geometry.setAttribute('position', new BufferAttribute(arrowLines(picture, box), 3));
+      return true;
+    },
+
+    /**
+     * Colours by excess, or plainly with `null`.
+     *
+     * @param {Float32Array | null} excess
+     * @param {Report | null} report
+     */
+    paint(excess, report) {
+      const coloured =
+        excess !== null && report !== null && shown !== null && excess.length * 3 === shown.positions.length;
+      if (coloured) {
+        mesh.geometry.setAttribute(
+          'color',
+          new BufferAttribute(excessColors(excess, excessRange(report)), 3, true),
+        );
+      } else {
+        mesh.geometry.deleteAttribute('color');
+      }
+      if (material.vertexColors !== coloured) material.needsUpdate = true;
+      material.vertexColors = coloured;
+      material.color.copy(coloured ? new Color(1, 1, 1) : plain);
+    },
+
+    /** @param {boolean} visible */
+    showArrows(visible) {
+      arrows.visible = visible;
+    },
+
+    /** @param {(name: string) => Color} color */
+    theme(color) {
+      plain.copy(color('--surface-front'));
+      if (!material.vertexColors) material.color.copy(plain);
+      back.value.copy(color('--surface-back'));
+      arrows.material.color.copy(color('--surface-arrow'));
+    },
+  };
+}
+
+/** @param {Float32Array} excess @param {number} range */
+function excessColors(excess, range) {
+  const colors = new Uint8Array(excess.length * 3);
+  // The renderer takes vertex colours as linear light.
+  const linear = Array.from({ length: 256 }, (_, i) =>
+    Math.round(new Color().setRGB(i / 255, 0, 0, 'srgb').r * 255),
+  );
+  for (let i = 0; i < excess.length; i += 1) {
+    const color = Number.isNaN(excess[i]) ? UNKNOWN : excessColor(excess[i] / range);
+    for (let k = 0; k < 3; k += 1) colors[3 * i + k] = linear[Math.round(color[k])];
+  }
+  return colors;
+}
+
+/** @param {Picture} picture @param {Box3} box */
+function arrowLines({ positions, normals }, box) {
+  const size = box.getSize(new Vector3()).length() * 0.035;
+  const vertices = positions.length / 3;
+  const step = Math.max(1, Math.floor(vertices / ARROWS));
+  const lines = [];
+  const tip = new Vector3();
+  const normal = new Vector3();
+  const across = new Vector3();
+  for (let i = Math.floor(step / 2); i < vertices; i += step) {
+    const root = new Vector3().fromArray(positions, 3 * i);
+    normal.fromArray(normals, 3 * i);
+    tip.copy(root).addScaledVector(normal, size);
+    across.set(normal.y, -normal.x, 0);
+    if (across.lengthSq() < 1e-6) across.set(1, 0, 0);
+    across.normalize().multiplyScalar(size * 0.14);
+    const head = tip.clone().addScaledVector(normal, -size * 0.28);
+    lines.push(...root, ...tip, ...tip, ...head.clone().add(across), ...tip, ...head.clone().sub(across));
+  }
+  return new Float32Array(lines);
+}
