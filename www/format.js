@@ -62,7 +62,9 @@ export function minutes(minutes) {
 
 /** @param {number} count */
 export function bytes(count) {
-  return count < 1e6 ? `${fixed(count / 1e3, 0)}${SPACE}kB` : `${fixed(count / 1e6, 1)}${SPACE}MB`;
+  return count < 1e6
+    ? `${fixed(count / 1e3, 0)}${SPACE}kB`
+    : `${fixed(count / 1e6, count < 1e8 ? 1 : 0)}${SPACE}MB`;
 }
 
 /** Three edges of a box. @param {[number[], number[]]} bounds @param {string} unit */

@@ -17,7 +17,7 @@ function empty() {
     planned: null,
     job: null,
     problem: null,
-    layers: { passes: true, links: true, excess: true, zones: true, side: false, cutter: true },
+    layers: { passes: true, links: true, rapids: true, excess: true, zones: true, side: false, cutter: true },
     at: 1,
     dragging: false,
   };

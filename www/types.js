@@ -38,7 +38,7 @@
  * Everything that a person edits, and what undo goes back to.
  *
  * @typedef {{ op: string, phase: string, fraction: number }} Job
- * @typedef {{ passes: boolean, links: boolean, excess: boolean, zones: boolean, side: boolean,
+ * @typedef {{ passes: boolean, links: boolean, rapids: boolean, excess: boolean, zones: boolean, side: boolean,
  *   cutter: boolean }} Layers
  * @typedef {{ schema: Schema | null, gallery: GalleryItem[], draft: Draft | null, canUndo: boolean,
  *   canRedo: boolean, picture: Picture | null, outcome: Outcome | null, planned: Draft | null,

@@ -44,7 +44,13 @@ export async function drop(page, files) {
 export const figure = (page, id) => page.locator(`#results [data-figure="${id}"] dd`);
 
 /** The number in a text such as “12,345 mm”. @param {string} text */
-export const number = (text) => Number(text.replaceAll(',', '').replace('−', '-').match(/-?[\d.]+/)?.[0]);
+export const number = (text) =>
+  Number(
+    text
+      .replaceAll(',', '')
+      .replace('−', '-')
+      .match(/-?[\d.]+/)?.[0],
+  );
 
 /** Keeps a picture of the page for people to look at. */
 export async function picture(page, name) {

@@ -150,6 +150,7 @@ export default {
   'canvas.layers': 'Shown',
   'layer.passes': 'Passes',
   'layer.links': 'Links',
+  'layer.rapids': 'Rapids',
   'layer.excess': 'Excess',
   'layer.zones': 'Unreachable',
   'layer.side': 'Side',
@@ -164,10 +165,6 @@ export default {
   'legend.gouge': 'gouge',
   'legend.left': 'left over',
   'legend.unknown': 'not verified',
-  'legend.pass': 'pass',
-  'legend.link': 'link at feed',
-  'legend.rapid': 'rapid',
-  'legend.zone': 'unreachable',
 
   'error.title': 'That did not work',
   'error.too_big': '{name} has {size}; the most is {limit}.',

@@ -1,11 +1,14 @@
 /** The camera: standard views, fitting, and the keys. */
-import { Box3, PerspectiveCamera, Sphere, Vector3 } from 'three';
+import { Box3, PerspectiveCamera, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 /** A long lens: little distortion, so that parallel passes look parallel. */
 const FIELD_OF_VIEW_DEG = 24;
 const TURN_RAD = Math.PI / 36;
 const ZOOM = 1.12;
+/** Pixels that the controls around the picture cover, both sides together. */
+const MARGIN_X = 72;
+const MARGIN_Y = 200;
 
 /** Where each view looks from; z is up. @type {Record<string, [number, number, number]>} */
 const FROM = { iso: [-0.62, -1, 0.78], top: [0, -0.0001, 1], front: [0, -1, 0.0001] };
@@ -20,18 +23,37 @@ export function createCamera(canvas, onChange) {
   const controls = new OrbitControls(camera, canvas);
   controls.addEventListener('change', onChange);
   controls.zoomToCursor = true;
-  const sphere = new Sphere(new Vector3(), 50);
+  const box = new Box3(new Vector3(-50, -50, -10), new Vector3(50, 50, 10));
+  const size = { width: 1, height: 1 };
+  /** The standard view in force, until somebody turns the picture. */
+  let standing = 'iso';
+  controls.addEventListener('start', () => {
+    standing = '';
+  });
 
-  /** Moves the camera along its line of sight, or to a new one, until the whole sphere is seen. @param {Vector3} from */
+  /** Looks along a direction from as near as the whole box allows. @param {Vector3} from */
   function fit(from) {
-    const half = (camera.fov * Math.PI) / 360;
-    const across = Math.atan(Math.tan(half) * Math.min(camera.aspect, 1));
-    const distance = (sphere.radius / Math.sin(across)) * 0.92;
-    controls.target.copy(sphere.center);
-    camera.position.copy(sphere.center).addScaledVector(from.normalize(), distance);
+    const centre = box.getCenter(new Vector3());
+    const radius = box.getSize(new Vector3()).length() / 2;
+    camera.position.copy(centre).add(from);
+    camera.lookAt(centre);
+    camera.updateMatrixWorld();
+    const [right, up, back] = [new Vector3(), new Vector3(), new Vector3()];
+    camera.matrixWorld.extractBasis(right, up, back);
+    const half = Math.tan((camera.fov * Math.PI) / 360);
+    const tall = half * Math.max(1 - MARGIN_Y / size.height, 0.3);
+    const wide = half * (size.width / size.height) * Math.max(1 - MARGIN_X / size.width, 0.3);
+    let distance = 0;
+    for (const corner of corners(box)) {
+      corner.sub(centre);
+      const across = Math.max(Math.abs(corner.dot(right)) / wide, Math.abs(corner.dot(up)) / tall);
+      distance = Math.max(distance, corner.dot(back) + across);
+    }
+    controls.target.copy(centre);
+    camera.position.copy(centre).addScaledVector(back, distance);
     camera.near = distance / 100;
-    camera.far = distance * 20;
-    controls.minDistance = sphere.radius / 50;
+    camera.far = distance + 20 * radius;
+    controls.minDistance = radius / 50;
     controls.maxDistance = distance * 8;
     camera.updateProjectionMatrix();
     controls.update();
@@ -57,6 +79,7 @@ export function createCamera(canvas, onChange) {
 
   /** @param {number} around @param {number} over */
   function turn(around, over) {
+    standing = '';
     const arm = camera.position.clone().sub(controls.target);
     const angle = Math.acos(Math.max(-1, Math.min(1, arm.z / arm.length())));
     const next = Math.max(0.001, Math.min(Math.PI - 0.001, angle + over));
@@ -75,6 +98,7 @@ export function createCamera(canvas, onChange) {
 
   /** @param {number} factor */
   function zoom(factor) {
+    standing = '';
     camera.position.sub(controls.target).multiplyScalar(factor).add(controls.target);
     controls.update();
     onChange();
@@ -83,22 +107,31 @@ export function createCamera(canvas, onChange) {
   return {
     camera,
 
-    /** @param {Box3} box */
-    frame(box) {
-      if (box.isEmpty()) return;
-      box.getBoundingSphere(sphere);
+    /** Names the box that views show. @param {Box3} next */
+    frame(next) {
+      if (!next.isEmpty()) box.copy(next);
     },
 
     /** @param {string} view 'fit' keeps the direction. */
     look(view) {
       const from = FROM[view];
+      standing = from ? view : '';
       fit(from ? new Vector3(...from) : camera.position.clone().sub(controls.target));
     },
 
     /** @param {number} width @param {number} height */
     resize(width, height) {
+      Object.assign(size, { width, height });
       camera.aspect = width / height;
       camera.updateProjectionMatrix();
+      if (standing) fit(new Vector3(...FROM[standing]));
     },
   };
+}
+
+/** @param {Box3} box */
+function corners({ min, max }) {
+  return [min.x, max.x].flatMap((x) =>
+    [min.y, max.y].flatMap((y) => [min.z, max.z].map((z) => new Vector3(x, y, z))),
+  );
 }

@@ -68,6 +68,7 @@ export function createCanvas3d(root) {
     renderer.render(scene, view.camera);
   }
 
+  resize();
   new ResizeObserver(resize).observe(root);
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', theme);
   canvas.addEventListener('webglcontextrestored', draw);
@@ -114,7 +115,7 @@ export function createCanvas3d(root) {
     const { point, tip, axis } = locate(outcome.path, at);
     path.upTo(at >= 1 ? Infinity : point);
     cutter.place(tip, axis);
-    cutter.show(layers.cutter && at < 1);
+    cutter.show(layers.cutter);
   }
 
   return {

@@ -1,5 +1,5 @@
 /**
- * What the colours and lines of the picture mean.
+ * What the colours of the surface mean.
  *
  * @import { State } from '../types.js'
  */
@@ -32,29 +32,18 @@ export function createLegend(root) {
     h('div', { class: 'ramp', 'aria-hidden': 'true' }, ...swatches),
     h('div', { class: 'ends numbers' }, low, h('span', {}, '0'), high),
   );
-  const lines = h('ul', { class: 'lines' });
-  const items = ['pass', 'link', 'rapid', 'zone', 'unknown'].map((id) => {
-    const item = h('li', { class: id }, h('i', {}), t(`legend.${id}`));
-    lines.append(item);
-    return item;
-  });
-  root.append(h('div', { class: 'legend', role: 'group', 'aria-label': t('legend.label') }, scale, lines));
+  const unknown = h('p', { class: 'unknown' }, h('i', {}), t('legend.unknown'));
+  root.append(h('div', { class: 'legend', role: 'group', 'aria-label': t('legend.label') }, scale, unknown));
 
   return {
     /** @param {State} state */
     update({ outcome, layers }) {
       const verified = outcome?.report.verified ?? null;
-      root.hidden = outcome === null;
-      scale.hidden = !verified || !layers.excess;
+      root.hidden = !verified || !layers.excess;
       const range = outcome ? excessRange(outcome.report) * 1000 : 0;
       say(low, `−${plain(range)}`);
       say(high, `+${plain(range)}`);
-      const [pass, link, rapid, zone, unknown] = items;
-      pass.hidden = !layers.passes;
-      link.hidden = !layers.links || !outcome?.report.length.link_mm;
-      rapid.hidden = !layers.links || !outcome?.report.length.rapid_mm;
-      zone.hidden = !layers.zones || !outcome?.zones.length;
-      unknown.hidden = scale.hidden || !outcome?.report.verified?.excluded_area_mm2;
+      unknown.hidden = !verified?.excluded_area_mm2;
     },
   };
 }

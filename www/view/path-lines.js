@@ -42,6 +42,10 @@ export function createPathLines() {
   let shown = null;
   /** Point at which each segment ends, per kind. @type {Uint32Array[]} */
   let ends = [];
+  const plain = new Color();
+  /** On the colours of excess, which are light, the passes are dark. */
+  const dark = new Color();
+  let isOver = false;
 
   return {
     group,
@@ -81,19 +85,24 @@ export function createPathLines() {
       ahead.geometry.setDrawRange(2 * countUpTo(ends[0], point), Infinity);
     },
 
-    /** @param {{ passes: boolean, links: boolean }} layers @param {boolean} overColours Whether the surface is coloured. */
-    show({ passes, links }, overColours) {
+    /** @param {{ passes: boolean, links: boolean, rapids: boolean }} layers @param {boolean} overColours Whether the surface is coloured. */
+    show({ passes, links, rapids }, overColours) {
       cut.visible = passes;
       ahead.visible = passes;
       link.visible = links;
-      rapid.visible = links;
-      cut.material.opacity = overColours ? 0.6 : 0.9;
+      rapid.visible = rapids;
+      isOver = overColours;
+      cut.material.color.copy(isOver ? dark : plain);
+      ahead.material.color.copy(cut.material.color);
+      cut.material.opacity = isOver ? 0.55 : 0.95;
     },
 
     /** @param {(name: string) => Color} color */
     theme(color) {
-      cut.material.color.copy(color('--path-cut'));
-      ahead.material.color.copy(color('--path-cut'));
+      plain.copy(color('--path-cut'));
+      dark.copy(color('--path-over'));
+      cut.material.color.copy(isOver ? dark : plain);
+      ahead.material.color.copy(cut.material.color);
       link.material.color.copy(color('--path-link'));
       rapid.material.color.copy(color('--path-rapid'));
     },

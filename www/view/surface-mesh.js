@@ -50,6 +50,7 @@ export function createSurfaceMesh() {
   };
   const mesh = new Mesh(new BufferGeometry(), material);
   const arrows = new LineSegments(new BufferGeometry(), new LineBasicMaterial());
+  mesh.visible = false;
   const group = new Group();
   group.add(mesh, arrows);
   /** @type {Picture | null} */
@@ -70,6 +71,8 @@ export function createSurfaceMesh() {
       mesh.geometry = new BufferGeometry();
       arrows.geometry = new BufferGeometry();
       box.makeEmpty();
+      // Without normals there is nothing to shade.
+      mesh.visible = picture !== null;
       if (!picture) return true;
       mesh.geometry.setAttribute('position', new BufferAttribute(picture.positions, 3));
       mesh.geometry.setAttribute('normal', new BufferAttribute(picture.normals, 3));

@@ -8,7 +8,15 @@ import { t } from '../text/index.js';
 import { attribute, h, icon, say } from './dom.js';
 
 const VIEWS = /** @type {const} */ (['fit', 'iso', 'top', 'front']);
-const LAYERS = /** @type {(keyof Layers)[]} */ (['passes', 'links', 'excess', 'zones', 'cutter', 'side']);
+const LAYERS = /** @type {(keyof Layers)[]} */ ([
+  'passes',
+  'links',
+  'rapids',
+  'excess',
+  'zones',
+  'cutter',
+  'side',
+]);
 /** Playing shows the whole path in this time. */
 const PLAY_SECONDS = 20;
 const STEPS = 10_000;
@@ -35,6 +43,7 @@ export function createTools(roots, { onView, onLayers, onAt }) {
         'data-layer': layer,
         onclick: () => last && onLayers({ ...last.layers, [layer]: !last.layers[layer] }),
       },
+      h('i', { 'aria-hidden': 'true' }),
       t(`layer.${layer}`),
     );
     roots.layers.append(button);
@@ -102,6 +111,8 @@ export function createTools(roots, { onView, onLayers, onAt }) {
           ? !state.picture && !outcome
           : !outcome ||
             (layer === 'excess' && !outcome.report.verified) ||
+            (layer === 'links' && !outcome.report.length.link_mm) ||
+            (layer === 'rapids' && !outcome.report.length.rapid_mm) ||
             (layer === 'zones' && outcome.zones.length === 0);
     }
   }
