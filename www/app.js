@@ -149,7 +149,9 @@ function fail(error) {
   if (error instanceof Cancelled) return;
   const { code, message, field } =
     error instanceof PlannerError ? error : { code: 'page', message: String(error), field: undefined };
-  show({ code, message, field });
+  // The field's name is said by where the message stands.
+  const text = field && message.startsWith(`${field}: `) ? message.slice(field.length + 2) : message;
+  show({ code, message: text, field });
 }
 
 /** Says what is wrong: at its field if there is one. @param {Problem} problem */
@@ -169,27 +171,28 @@ function complain(id, places) {
 
 /** Opens a surface file, a saved job, or both. @param {File[]} files */
 async function open(files) {
-  const jobs = files.filter((file) => file.name.toLowerCase().endsWith('.json'));
-  const surface = files.find((file) => !jobs.includes(file));
   const tooBig = files.find((file) => file.size > LARGEST_FILE);
   if (tooBig) {
     complain('error.too_big', { name: tooBig.name, size: size(tooBig.size), limit: size(LARGEST_FILE) });
     return;
   }
   try {
-    const job = jobs.length > 0 ? await readJob(jobs[0]) : null;
-    if (jobs.length > 0 && !job) complain('error.job', { name: jobs[0].name });
-    else if (surface) await openSurface(surface, job);
-    else if (job) openJob(job, jobs[0].name);
+    const jobs = await Promise.all(files.map(readJob));
+    const job = jobs.find((spec) => spec !== null) ?? null;
+    // Whatever is no job is a surface: the planner says if it is not.
+    const surface = files.find((_, i) => jobs[i] === null);
+    if (surface) await openSurface(surface, job);
+    else if (job) openJob(job, files[jobs.indexOf(job)].name);
   } catch (error) {
     fail(error);
   } finally {
-    state.set({ job: null });
+    if (state.get().job?.op === 'inspect') state.set({ job: null });
   }
 }
 
-/** @param {File} file @returns {Promise<Spec | null>} */
+/** The job in a file, completed by the settings in force; `null` if it holds none. @param {File} file @returns {Promise<Spec | null>} */
 async function readJob(file) {
+  if (!file.name.toLowerCase().endsWith('.json')) return null;
   try {
     const spec = JSON.parse(await file.text());
     const { schema, draft } = state.get();

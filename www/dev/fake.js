@@ -76,7 +76,7 @@ const S = {
       id: 'feeds',
       path: 'feeds',
       fields: [
-        num('cut_mm_min', 'mm/min', 1, 50000, 50, 1500),
+        num('cut_mm_per_min', 'mm/min', 1, 50000, 50, 1500),
         num('rapid_mm_min', 'mm/min', 1, 100000, 100, 10000),
       ],
     },
@@ -95,7 +95,7 @@ const spec = (name, source) => ({
   strategy: { kind: 'iso_parametric', direction: 'auto', lead_deg: 5 },
   tolerance: { scallop_mm: 0.01, chord_mm: 0.002 },
   links: { clearance_mm: 10, zigzag: true },
-  feeds: { cut_mm_min: 1500, rapid_mm_min: 10000 },
+  feeds: { cut_mm_per_min: 1500, rapid_mm_min: 10000 },
   verify: { on: true, spacing_mm: 0.25 },
 });
 export const schema = () => JSON.stringify(S);
@@ -257,7 +257,7 @@ class Outcome extends Picture {
     return new Float32Array(a);
   }
   apt() {
-    return 'PARTNO/X\n'.repeat(20000);
+    return 'GOTO/X\n'.repeat(20000);
   }
   nc() {
     return 'G1 X0\n'.repeat(20000);

@@ -9,7 +9,7 @@ import { attribute, h, icon, say } from './dom.js';
 import { glyph } from './glyphs.js';
 
 /** What the file picker offers; the planner decides by content. */
-const ENDINGS = '.igs,.iges,.stl,.obj,.csv,.ply,.json';
+const ENDINGS = '.igs,.iges,.stl,.obj,.csv,.txt,.xyz,.cpt,.cptw,.json';
 const UNITS = ['mm', 'cm', 'm', 'inch'];
 /** @type {Record<string, number>} */
 const MILLIMETRES = { mm: 1, cm: 10, m: 1000, inch: 25.4 };

@@ -1,0 +1,81 @@
+/** The WebAssembly module by itself: the same bytes as the command line, and errors that name the setting. */
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import init, * as planner from '../../www/wasm/stepover.js';
+
+const wasm = new URL('../../www/wasm/stepover_bg.wasm', import.meta.url);
+await init({ module_or_path: readFileSync(wasm) });
+
+const command = process.env.STEPOVER ?? 'target/debug/stepover';
+
+/** What the command line writes for a spec, by file ending. */
+function native(spec) {
+  const folder = mkdtempSync(join(tmpdir(), 'stepover-'));
+  writeFileSync(join(folder, 'job.json'), JSON.stringify(spec));
+  const out = join(folder, 'out');
+  execFileSync(command, ['plan', join(folder, 'job.json'), '--out', out], { stdio: 'pipe' });
+  const ending = (name) => name.slice(name.lastIndexOf('.') + 1);
+  return Object.fromEntries(
+    readdirSync(out).map((name) => [ending(name), readFileSync(join(out, name), 'utf8')]),
+  );
+}
+
+for (const { id, spec } of JSON.parse(planner.gallery())) {
+  test(`${id}: the same bytes as the command line`, () => {
+    const outcome = planner.plan(JSON.stringify(spec), undefined, () => {});
+    const files = native(spec);
+    assert.equal(outcome.apt(), files.apt, 'APT');
+    assert.equal(outcome.csv(), files.csv, 'CSV');
+    assert.equal(outcome.nc(), files.nc, 'G-code');
+    assert.deepEqual(JSON.parse(outcome.report()), JSON.parse(files.json), 'report');
+    outcome.free();
+  });
+}
+
+test('the arrays of an outcome fit one another', () => {
+  const [{ spec }] = JSON.parse(planner.gallery());
+  const phases = [];
+  const outcome = planner.plan(JSON.stringify(spec), undefined, (phase, fraction) =>
+    phases.push([phase, fraction]),
+  );
+  const path = outcome.path();
+  assert.equal(path.length % 8, 0);
+  assert.equal(outcome.contacts().length / 3, path.length / 8);
+  assert.equal(outcome.positions().length, outcome.normals().length);
+  assert.equal(outcome.excess().length, outcome.positions().length / 3);
+  assert.ok(Math.max(...outcome.indices()) < outcome.positions().length / 3);
+  assert.equal(outcome.zones().length % 3, 0);
+  assert.equal(JSON.parse(outcome.report()).points, path.length / 8);
+  for (let i = 1; i < path.length / 8; i += 1)
+    assert.ok(path[8 * i + 7] >= path[8 * i - 1], `length at ${i}`);
+  const fractions = phases.map(([, fraction]) => fraction);
+  assert.deepEqual(
+    fractions,
+    [...fractions].sort((a, b) => a - b),
+    'progress never falls',
+  );
+  assert.ok(phases.every(([phase]) => phase !== ''));
+  outcome.free();
+});
+
+test('an error names the setting', () => {
+  const [{ spec }] = JSON.parse(planner.gallery());
+  const wrong = { ...spec, tolerance: { ...spec.tolerance, scallop_mm: -1 } };
+  assert.throws(
+    () => planner.plan(JSON.stringify(wrong), undefined, () => {}),
+    (thrown) => JSON.parse(thrown).field === 'tolerance.scallop_mm',
+  );
+});
+
+test('what is no surface is refused in words', () => {
+  for (const bytes of [new Uint8Array(), new TextEncoder().encode('hello')]) {
+    assert.throws(
+      () => planner.inspect('nothing.stl', bytes),
+      (thrown) => JSON.parse(thrown).message.length > 10,
+    );
+  }
+});

@@ -1,0 +1,198 @@
+/** What a person does with the page, in the order in which they do it. */
+import { readFileSync } from 'node:fs';
+import { data, drop, expect, figure, number, test, visit } from './harness.js';
+
+/** @param {string} name */
+const file = (name) => ({ name, base64: readFileSync(data(name)).toString('base64') });
+const plan = (page) => page.locator('button[name=plan]');
+
+test('first visit shows a planned and proven path without a click', async ({ page }) => {
+  await visit(page);
+  expect(number(await figure(page, 'cut').textContent())).toBeGreaterThan(100);
+  expect(number(await figure(page, 'passes').textContent())).toBeGreaterThan(3);
+  await expect(page.locator('.verdict.good')).toBeVisible();
+  await expect(page.locator('#gallery, .gallery [aria-pressed=true]')).toHaveCount(1);
+  // Something is drawn: the canvas is not of one colour.
+  const colours = await page.locator('#canvas canvas').evaluate(async (canvas) => {
+    const copy = document.createElement('canvas');
+    [copy.width, copy.height] = [64, 64];
+    const context = copy.getContext('2d');
+    // The picture is there only in the frame in which it was drawn.
+    const drawn = new Promise((resolve) => {
+      requestAnimationFrame(() => requestAnimationFrame(resolve));
+    });
+    canvas.dispatchEvent(new KeyboardEvent('keydown', { key: '+' }));
+    await new Promise((resolve) => requestAnimationFrame(resolve));
+    context.drawImage(canvas, 0, 0, 64, 64);
+    await drawn;
+    return new Set(new Uint32Array(context.getImageData(0, 0, 64, 64).data.buffer)).size;
+  });
+  expect(colours).toBeGreaterThan(20);
+});
+
+test('every surface of the gallery is planned within its tolerance', async ({ page }) => {
+  await visit(page);
+  const cards = page.locator('.gallery button');
+  expect(await cards.count()).toBeGreaterThanOrEqual(3);
+  for (const card of await cards.all()) {
+    await card.click();
+    await expect(card).toHaveAttribute('aria-pressed', 'true');
+    await expect(page.locator('html[data-job]')).toHaveCount(0);
+    await expect(page.locator('.verdict.good')).toBeVisible();
+  }
+});
+
+for (const { name, unit, limits } of [
+  { name: 'bladex_lower.iges', limits: { cut: [10, 1e6], passes: [3, 1e5] } },
+  { name: 'terrain_small.stl', unit: 'mm', limits: { cut: [10, 1e6], passes: [3, 1e5] } },
+  { name: 'mt_bruno_elevation.csv', unit: 'mm', limits: { cut: [10, 1e6], passes: [3, 1e5] } },
+]) {
+  test(`${name}: dropped, planned with progress, saved`, async ({ page }) => {
+    test.setTimeout(300_000);
+    await visit(page);
+    await drop(page, [file(name)]);
+    await expect(page.locator('.file .name')).toContainText(name);
+    // A coarser finish than the default: this test is about the way through the page.
+    await page.locator('input[name="tolerance.scallop_mm"]').fill('0.1');
+    if (unit) {
+      await plan(page).click();
+      await expect(page.locator('.notice')).toBeVisible();
+      await expect(page.locator('input[name="source.unit"]').first()).toBeFocused();
+      await page.locator(`input[name="source.unit"][value=${unit}]`).check();
+    }
+    await page.evaluate(() => {
+      window.seen = [];
+      new MutationObserver(() => {
+        window.seen.push(document.querySelector('progress').value);
+      }).observe(document.querySelector('#action'), { subtree: true, childList: true, attributes: true });
+    });
+    await plan(page).click();
+    await expect(page.locator('[data-save=apt]')).toBeVisible({ timeout: 240_000 });
+    const seen = await page.evaluate(() => window.seen);
+    expect(seen.length).toBeGreaterThan(2);
+    expect(seen).toEqual([...seen].sort((a, b) => a - b));
+    for (const [id, [least, most]] of Object.entries(limits)) {
+      const value = number(await figure(page, id).textContent());
+      expect(value).toBeGreaterThan(least);
+      expect(value).toBeLessThan(most);
+    }
+    const [download] = await Promise.all([
+      page.waitForEvent('download'),
+      page.locator('[data-save=apt]').click(),
+    ]);
+    expect(download.suggestedFilename()).toBe(name.replace(/\.\w+$/, '.apt'));
+    const text = readFileSync(await download.path(), 'utf8');
+    expect(text.includes('GOTO/')).toBe(true);
+    expect(text.trimEnd().endsWith('FINI')).toBe(true);
+  });
+}
+
+test('cancel answers at once and keeps what was there', async ({ page }) => {
+  await visit(page);
+  const before = await figure(page, 'cut').textContent();
+  await page.locator('input[name="tolerance.scallop_mm"]').fill('0.0002');
+  await plan(page).click();
+  const cancel = page.locator('button[name=cancel]');
+  await expect(page.locator('.busy')).toBeVisible();
+  const waited = await cancel.evaluate(async (button) => {
+    const start = performance.now();
+    button.click();
+    while (document.documentElement.dataset.job) await new Promise((resolve) => setTimeout(resolve, 1));
+    return performance.now() - start;
+  });
+  expect(waited).toBeLessThan(200);
+  await expect(figure(page, 'cut')).toHaveText(before);
+  // And it can plan again.
+  await page.locator('input[name="tolerance.scallop_mm"]').fill('0.02');
+  await plan(page).click();
+  await expect(figure(page, 'cut')).not.toHaveText(before);
+});
+
+test('a bad file says what is wrong and leaves what was loaded', async ({ page }) => {
+  await visit(page);
+  const before = await figure(page, 'cut').textContent();
+  await drop(page, [{ name: 'broken.stl', base64: btoa('solid nothing\nendsolid\n') }]);
+  const notice = page.locator('.notice');
+  await expect(notice).toBeVisible();
+  expect((await notice.locator('p').textContent()).length).toBeGreaterThan(10);
+  await expect(figure(page, 'cut')).toHaveText(before);
+  await expect(page.locator('.gallery [aria-pressed=true]')).toHaveCount(1);
+  await notice.getByRole('button').click();
+  await expect(notice).toBeHidden();
+});
+
+test('a wrong value is told at its field, by the form and by the planner', async ({ page }) => {
+  await visit(page);
+  const diameter = page.locator('[data-field="cutter.diameter_mm"]');
+  await diameter.locator('input').fill('0');
+  await expect(diameter.locator('.message')).toContainText('At least');
+  await plan(page).click();
+  await expect(diameter.locator('input')).toBeFocused();
+  await diameter.locator('input').fill('10');
+  await expect(diameter.locator('.message')).toHaveText('');
+  // Only the planner knows that this corner does not fit this diameter.
+  const corner = page.locator('[data-field="cutter.corner_radius_mm"]');
+  await corner.locator('input').fill('7');
+  await plan(page).click();
+  await expect(corner.locator('.message')).toContainText('5');
+  await expect(corner.locator('input')).toBeFocused();
+  await expect(corner.locator('input')).toHaveAttribute('aria-invalid', 'true');
+});
+
+test('edits are undone and redone', async ({ page }) => {
+  await visit(page);
+  const scallop = page.locator('input[name="tolerance.scallop_mm"]');
+  const before = await scallop.inputValue();
+  await scallop.fill('0.05');
+  await expect(page.locator('.stale')).toBeVisible();
+  await page.locator('button[name=undo]').click();
+  await expect(scallop).toHaveValue(before);
+  await expect(page.locator('.stale')).toBeHidden();
+  await page.keyboard.press('Control+Shift+Z');
+  await expect(scallop).toHaveValue('0.05');
+});
+
+test('the side is flipped, and a saved job opens again', async ({ page }) => {
+  await visit(page);
+  await page.locator('button[name=flip]').click();
+  await expect(page.locator('.side')).toContainText('Back');
+  await page.locator('input[name="tolerance.scallop_mm"]').fill('0.03');
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.locator('[data-save=spec]').click(),
+  ]);
+  const base64 = readFileSync(await download.path()).toString('base64');
+  await page.locator('.gallery button').nth(1).click();
+  await expect(page.locator('.side')).toContainText('Front');
+  await drop(page, [{ name: 'saved.job.json', base64 }]);
+  await expect(page.locator('.side')).toContainText('Back');
+  await expect(page.locator('input[name="tolerance.scallop_mm"]')).toHaveValue('0.03');
+});
+
+test('everything is reached by the keyboard', async ({ page }) => {
+  await visit(page);
+  const reached = new Set();
+  for (let i = 0; i < 80; i += 1) {
+    await page.keyboard.press('Tab');
+    const name = await page.evaluate(() => {
+      const { activeElement: e } = document;
+      const outlined = getComputedStyle(e).outlineStyle !== 'none';
+      const d = e.dataset;
+      return `${e.name || d.id || d.layer || d.save || e.localName}${outlined ? '' : ' unseen'}`;
+    });
+    reached.add(name);
+  }
+  for (const name of [
+    'flip',
+    'plan',
+    'canvas',
+    'at',
+    'play',
+    'passes',
+    'view-fit',
+    'apt',
+    'cutter.diameter_mm',
+  ]) {
+    expect([...reached]).toContain(name);
+  }
+});
