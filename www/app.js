@@ -22,6 +22,9 @@ import moduleAddress from './wasm/stepover_bg.wasm?url';
 
 /** Larger files than this do not fit the planner's memory together with what is computed from them. */
 const LARGEST_FILE = 128e6;
+/** Of larger files only the chosen face is drawn: each face is read from the file anew. */
+const MOST_FACES = 40;
+const MOST_FACE_BYTES = 8e6;
 
 /** @param {string} id */
 function place(id) {
@@ -86,6 +89,9 @@ const views = [
   ),
 ];
 
+/** @type {{ bytes: unknown, key: string, failed: Set<number>, busy: boolean }} */
+let drawn = { bytes: undefined, key: '', failed: new Set(), busy: false };
+
 /** What the picture in the state was made from. @type {{ source: any, bytes: any } | null} */
 let pictured = null;
 
@@ -98,6 +104,7 @@ function render(now) {
   document.body.classList.toggle('dragging', now.dragging);
   attribute(document.documentElement, 'data-job', now.job?.op ?? null);
   refreshPicture(now);
+  refreshFaces(now);
 }
 
 /** @param {Spec} spec @param {string} what */
@@ -251,6 +258,40 @@ async function refreshPicture({ draft, outcome, planned, job }) {
   }
 }
 
+/**
+ * Draws the other faces of a file, one after another, whenever the planner has nothing else to do.
+ *
+ * @param {State} now
+ */
+async function refreshFaces({ draft, job, faces, picture }) {
+  const info = draft?.source.info;
+  const bytes = draft?.source.bytes;
+  const wanted = info && bytes && info.faces.length <= MOST_FACES && bytes.length <= MOST_FACE_BYTES;
+  const key = wanted && info.faces.length > 1 ? `${draft.spec.source.unit} ${draft.spec.source.side}` : '';
+  if (drawn.bytes !== bytes || drawn.key !== key) {
+    drawn = { bytes, key, failed: new Set(), busy: false };
+    if (faces.size > 0) state.set({ faces: new Map() });
+    return;
+  }
+  if (!key || !draft || !info || job || !picture || drawn.busy) return;
+  const next = info.faces.find(({ index }) => !faces.has(index) && !drawn.failed.has(index));
+  if (!next) return;
+  const mine = drawn;
+  mine.busy = true;
+  try {
+    const made = await planner.call('preview', [
+      write(withUnit(draft.spec), 'source.face', next.index),
+      bytes,
+    ]);
+    if (drawn === mine) state.set({ faces: new Map([...state.get().faces, [next.index, made]]) });
+  } catch (error) {
+    if (!(error instanceof Cancelled)) mine.failed.add(next.index);
+  } finally {
+    mine.busy = false;
+    if (drawn === mine) render(state.get());
+  }
+}
+
 /** @param {Draft} a @param {Draft} b */
 function sameSurface(a, b) {
   return a.spec.source === b.spec.source && a.source.bytes === b.source.bytes;
@@ -339,7 +380,7 @@ async function start() {
   // The picture's code is the largest part of the page: the planner is at work while it loads.
   const drawing = import('./view/canvas3d.js')
     .then(({ createCanvas3d }) => {
-      canvas = createCanvas3d(place('canvas'));
+      canvas = createCanvas3d(place('canvas'), { onFace: (index) => editSource('face', index) });
       canvas.update(state.get());
     })
     .catch(() => place('canvas').append(h('p', { class: 'help' }, t('canvas.none'))));

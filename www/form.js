@@ -28,6 +28,8 @@ export function createForm(root, { onEdit, onVariant }) {
   const groups = new Map();
   const sketch = createCutterSketch();
   let shown = '';
+  /** On a phone the groups are folded: the result stands below them. */
+  const isWide = matchMedia('(width >= 760px)').matches;
 
   /** @param {Schema} schema */
   function build(schema) {
@@ -39,7 +41,7 @@ export function createForm(root, { onEdit, onVariant }) {
         const title = t(`group.${group.id}`, {}, prettify(group.id));
         return h(
           'details',
-          { class: 'panel', open: OPEN.has(group.id), 'data-group': group.id },
+          { class: 'panel', open: OPEN.has(group.id) && isWide, 'data-group': group.id },
           h('summary', {}, h('h2', {}, title), summary),
           body,
         );

@@ -13,6 +13,7 @@ function empty() {
     canUndo: false,
     canRedo: false,
     picture: null,
+    faces: new Map(),
     outcome: null,
     planned: null,
     job: null,

@@ -41,8 +41,9 @@
  * @typedef {{ passes: boolean, links: boolean, rapids: boolean, excess: boolean, zones: boolean, side: boolean,
  *   cutter: boolean }} Layers
  * @typedef {{ schema: Schema | null, gallery: GalleryItem[], draft: Draft | null, canUndo: boolean,
- *   canRedo: boolean, picture: Picture | null, outcome: Outcome | null, planned: Draft | null,
+ *   canRedo: boolean, picture: Picture | null, faces: Map<number, Picture>, outcome: Outcome | null, planned: Draft | null,
  *   job: Job | null, problem: Problem | null, layers: Layers, at: number, dragging: boolean }} State
- * `planned` is the draft that `outcome` belongs to; `at` is the share of the path that is shown, 0 to 1.
+ * `planned` is the draft that `outcome` belongs to; `at` is the share of the path that is shown, 0 to 1; `faces` are the
+ * pictures of a file's faces as far as they are made.
  */
 export {};

@@ -19,6 +19,7 @@ export default {
   'surface.drop': 'Drop to open',
   'surface.drop.hint': 'IGES, STL, OBJ, heights as CSV, or a saved job',
   'surface.face': 'Face',
+  'surface.face.hint': 'Or click a face in the picture.',
   'surface.face.option': '{name} · {size}',
   'surface.face.unnamed': 'Face {index}',
   'surface.unit': 'Unit of the file',

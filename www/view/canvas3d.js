@@ -3,12 +3,22 @@
  *
  * @import { State } from '../types.js'
  */
-import { Color, DirectionalLight, HemisphereLight, Scene, SRGBColorSpace, WebGLRenderer } from 'three';
+import {
+  Color,
+  DirectionalLight,
+  HemisphereLight,
+  Raycaster,
+  Scene,
+  SRGBColorSpace,
+  Vector2,
+  WebGLRenderer,
+} from 'three';
 import { t } from '../text/index.js';
 import { createCamera } from './camera.js';
 import { createCutterModel } from './cutter-model.js';
 import { h } from './dom.js';
 import { createGround } from './ground.js';
+import { createOtherFaces } from './other-faces.js';
 import { createPathLines, locate } from './path-lines.js';
 import { createSurfaceMesh } from './surface-mesh.js';
 import { createZones } from './zones.js';
@@ -16,8 +26,14 @@ import { createZones } from './zones.js';
 /** Sharper than this nobody sees, and it costs the square. */
 const SHARPEST = 2;
 
-/** @param {HTMLElement} root */
-export function createCanvas3d(root) {
+/** A pointer that moved less than this many pixels was clicking, not turning. */
+const CLICK = 5;
+
+/**
+ * @param {HTMLElement} root
+ * @param {{ onFace: (index: number) => void }} callbacks
+ */
+export function createCanvas3d(root, { onFace }) {
   const canvas = h('canvas', { tabindex: 0, 'aria-label': t('canvas.label') });
   root.append(canvas);
   const renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
@@ -27,6 +43,7 @@ export function createCanvas3d(root) {
   const path = createPathLines();
   const cutter = createCutterModel();
   const zones = createZones();
+  const others = createOtherFaces();
   const ground = createGround();
   const view = createCamera(canvas, draw);
   // Lights travel with the eye: whatever is looked at is lit from above the left shoulder.
@@ -34,7 +51,16 @@ export function createCanvas3d(root) {
   const key = new DirectionalLight(0xffffff, 2.1);
   key.position.set(-0.6, 0.9, 1);
   view.camera.add(key);
-  scene.add(sky, view.camera, ground.grid, surface.group, path.group, zones.root.cubes, cutter.mesh);
+  scene.add(
+    sky,
+    view.camera,
+    ground.grid,
+    others.group,
+    surface.group,
+    path.group,
+    zones.root.cubes,
+    cutter.mesh,
+  );
   let scheduled = false;
   /** @type {State | null} */
   let last = null;
@@ -54,7 +80,7 @@ export function createCanvas3d(root) {
   function theme() {
     const style = getComputedStyle(root);
     const color = (/** @type {string} */ name) => new Color(style.getPropertyValue(name).trim() || '#888');
-    for (const part of [surface, path, cutter, zones, ground]) part.theme(color);
+    for (const part of [surface, others, path, cutter, zones, ground]) part.theme(color);
     draw();
   }
 
@@ -74,10 +100,25 @@ export function createCanvas3d(root) {
   canvas.addEventListener('webglcontextrestored', draw);
   theme();
 
+  let pressed = { x: 0, y: 0 };
+  canvas.addEventListener('pointerdown', ({ clientX, clientY }) => {
+    pressed = { x: clientX, y: clientY };
+  });
+  canvas.addEventListener('pointerup', ({ clientX, clientY }) => {
+    if (Math.hypot(clientX - pressed.x, clientY - pressed.y) > CLICK) return;
+    const { left, top, width, height } = canvas.getBoundingClientRect();
+    const ray = new Raycaster();
+    const at = new Vector2(((clientX - left) / width) * 2 - 1, 1 - ((clientY - top) / height) * 2);
+    ray.setFromCamera(at, view.camera);
+    const face = others.pick(ray, surface.mesh);
+    if (face !== null) onFace(face);
+  });
+
   /** @param {State} state */
   function showSurface(state) {
     const { outcome, layers } = state;
     const picture = outcome?.picture ?? state.picture;
+    others.set(state.faces, state.draft?.spec.source.face ?? 0);
     const isNew = surface.set(picture);
     if (isNew && picture) {
       ground.set(surface.box);
@@ -121,7 +162,7 @@ export function createCanvas3d(root) {
   return {
     /** @param {State} state */
     update(state) {
-      const keys = /** @type {const} */ (['picture', 'outcome', 'planned', 'layers', 'at']);
+      const keys = /** @type {const} */ (['picture', 'faces', 'outcome', 'planned', 'layers', 'at']);
       if (last && keys.every((name) => last?.[name] === state[name])) return;
       last = state;
       showSurface(state);

@@ -125,7 +125,13 @@ export function createSource(root, { onPick, onFiles, onFace, onUnit, onSide, li
       { name: 'source.face', onchange: () => onFace(Number(select.value)) },
       ...options,
     );
-    return h('label', { class: 'field wide' }, h('span', {}, t('surface.face')), select);
+    return h(
+      'label',
+      { class: 'field wide' },
+      h('span', {}, t('surface.face')),
+      select,
+      h('span', { class: 'help' }, t('surface.face.hint')),
+    );
   }
 
   /** @param {string | null} stated @param {string | null} unit @param {Face} face */

@@ -60,6 +60,7 @@ export function createSurfaceMesh() {
 
   return {
     group,
+    mesh,
     box,
 
     /** @param {Picture | null} picture Whether it is another one. */
