@@ -103,7 +103,7 @@ function render(now) {
   redo.disabled = !now.canRedo;
   document.body.classList.toggle('dragging', now.dragging);
   attribute(document.documentElement, 'data-job', now.job?.op ?? null);
-  refreshPicture(now);
+  if (now.job?.op !== 'plan') refreshPicture(now);
   refreshFaces(now);
 }
 
@@ -240,8 +240,8 @@ async function openSurface(file, job) {
 }
 
 /** Draws the surface again when what it is made from changed. @param {State} now */
-async function refreshPicture({ draft, outcome, planned, job }) {
-  if (!draft || job?.op === 'plan') return;
+async function refreshPicture({ draft, outcome, planned }) {
+  if (!draft) return;
   const isPlanned = outcome !== null && planned !== null && sameSurface(planned, draft);
   const key = { source: draft.spec.source, bytes: draft.source.bytes };
   const isPictured = pictured !== null && pictured.source === key.source && pictured.bytes === key.bytes;
@@ -311,6 +311,8 @@ async function plan() {
     return;
   }
   planner.cancel();
+  // A new surface is seen before its path is there.
+  refreshPicture(state.get());
   const job = { op: 'plan', phase: '', fraction: 0 };
   state.set({ job, problem: null });
   let current = job;

@@ -67,8 +67,17 @@ export function bytes(count) {
     : `${fixed(count / 1e6, count < 1e8 ? 1 : 0)}${SPACE}MB`;
 }
 
-/** Three edges of a box. @param {[number[], number[]]} bounds @param {string} unit */
+/** Three edges of a box, of millimetres in metres where it is that large. @param {[number[], number[]]} bounds @param {string} unit */
 export function box([low, high], unit) {
-  const edges = low.map((from, i) => fixed(high[i] - from, Math.abs(high[i] - from) >= 100 ? 0 : 1));
-  return `${edges.join(' × ')}${SPACE}${unit}`;
+  const edges = low.map((from, i) => high[i] - from);
+  const inMetres = unit === 'mm' && Math.max(...edges) >= 10_000;
+  const text = edges.map((edge) => shortened(inMetres ? edge / 1000 : edge)).join(' × ');
+  return `${text}${SPACE}${inMetres ? 'm' : unit}`;
+}
+
+/** About three digits. @param {number} value */
+function shortened(value) {
+  return value >= 100
+    ? fixed(value, 0)
+    : new Intl.NumberFormat(t('locale'), { maximumSignificantDigits: 3 }).format(value);
 }

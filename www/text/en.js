@@ -175,6 +175,7 @@ export default {
   'legend.unknown': 'not verified',
 
   'error.title': 'That did not work',
+  'error.title.unit': 'One thing first',
   'error.too_big': '{name} has {size}; the most is {limit}.',
   'error.no_face': '{name} holds no surface that could be cut.',
   'error.job_file': 'This job cuts {name}: drop that file together with it.',
@@ -185,5 +186,5 @@ export default {
   'fault.low': 'At least {min}.',
   'fault.high': 'At most {max}.',
   'fault.range': '{min} to {max}.',
-  'fault.unit': 'Choose the unit first.',
+  'fault.unit': 'The file does not say its unit: choose it under Surface.',
 };

@@ -47,8 +47,8 @@ export function createCanvas3d(root, { onFace }) {
   const ground = createGround();
   const view = createCamera(canvas, draw);
   // Lights travel with the eye: whatever is looked at is lit from above the left shoulder.
-  const sky = new HemisphereLight(0xffffff, 0x8a8f98, 1.35);
-  const key = new DirectionalLight(0xffffff, 2.1);
+  const sky = new HemisphereLight(0xffffff, 0x7d838c, 1.1);
+  const key = new DirectionalLight(0xffffff, 2.4);
   key.position.set(-0.6, 0.9, 1);
   view.camera.add(key);
   scene.add(
@@ -133,7 +133,8 @@ export function createCanvas3d(root, { onFace }) {
     if (isNew || painted.outcome !== outcome || painted.layers !== layers) {
       const coloured = layers.excess && outcome?.report.verified;
       surface.paint(coloured ? outcome.excess : null, outcome?.report ?? null);
-      surface.showArrows(layers.side);
+      // Before anything is planned, which side is cut is the question.
+      surface.showArrows(layers.side || !outcome);
       path.show(layers, Boolean(coloured));
       zones.root.cubes.visible = layers.zones;
     }

@@ -1,5 +1,5 @@
 /** The cutter where the path is shown up to. */
-import { Color, DoubleSide, LatheGeometry, Mesh, MeshStandardMaterial, Vector2, Vector3 } from 'three';
+import { Color, LatheGeometry, Mesh, MeshStandardMaterial, Vector2, Vector3 } from 'three';
 import { outline } from './outline.js';
 
 const SIDES = 48;
@@ -12,7 +12,6 @@ export function createCutterModel() {
     metalness: 0.3,
     transparent: true,
     opacity: 0.62,
-    side: DoubleSide,
   });
   const mesh = new Mesh(new LatheGeometry([], 3), material);
   let shown = '';

@@ -12,6 +12,7 @@ import { h, icon, say } from './dom.js';
  */
 export function createNotice(root, { onClose }) {
   const text = h('p', {});
+  const title = h('strong', {});
   const close = h('button', {
     type: 'button',
     class: 'quiet',
@@ -19,12 +20,7 @@ export function createNotice(root, { onClose }) {
     onclick: onClose,
   });
   close.append(icon('close'));
-  const box = h(
-    'div',
-    { class: 'notice', role: 'alert' },
-    h('div', {}, h('strong', {}, t('error.title')), text),
-    close,
-  );
+  const box = h('div', { class: 'notice', role: 'alert' }, h('div', {}, title, text), close);
   root.append(box);
 
   return {
@@ -34,6 +30,7 @@ export function createNotice(root, { onClose }) {
         ? t(`error.${problem.code}`, { message: problem.message }, problem.message)
         : '';
       box.hidden = message === '';
+      say(title, t(problem?.code === 'unit' ? 'error.title.unit' : 'error.title'));
       say(text, message);
     },
   };

@@ -19,8 +19,9 @@ import {
 } from 'three';
 import { excessColor, excessRange, UNKNOWN } from './colors.js';
 
-/** About as many arrows as this stand on the surface. */
-const ARROWS = 70;
+/** Cells across the picture, an arrow in each, and an arrow's length, as shares of the picture's size. */
+const CELLS = 11;
+const ARROW = 0.035;
 
 export function createSurfaceMesh() {
   const back = { value: new Color() };
@@ -135,24 +136,44 @@ function excessColors(excess, range) {
   return colors;
 }
 
-/** @param {Picture} picture @param {Box3} box */
+/**
+ * Arrows on the side that is cut, one for each cell of a coarse grid that the surface passes through.
+ *
+ * @param {Picture} picture
+ * @param {Box3} box
+ */
 function arrowLines({ positions, normals }, box) {
-  const size = box.getSize(new Vector3()).length() * 0.035;
-  const vertices = positions.length / 3;
-  const step = Math.max(1, Math.floor(vertices / ARROWS));
-  const lines = [];
-  const tip = new Vector3();
-  const normal = new Vector3();
-  const across = new Vector3();
-  for (let i = Math.floor(step / 2); i < vertices; i += step) {
-    const root = new Vector3().fromArray(positions, 3 * i);
-    normal.fromArray(normals, 3 * i);
-    tip.copy(root).addScaledVector(normal, size);
-    across.set(normal.y, -normal.x, 0);
-    if (across.lengthSq() < 1e-6) across.set(1, 0, 0);
-    across.normalize().multiplyScalar(size * 0.14);
-    const head = tip.clone().addScaledVector(normal, -size * 0.28);
-    lines.push(...root, ...tip, ...tip, ...head.clone().add(across), ...tip, ...head.clone().sub(across));
+  const size = box.getSize(new Vector3()).length();
+  const cell = size / CELLS;
+  /** @type {Map<string, { vertex: number, off: number }>} */
+  const nearest = new Map();
+  const point = new Vector3();
+  const middle = new Vector3();
+  for (let i = 0; i < positions.length / 3; i += 1) {
+    point
+      .fromArray(positions, 3 * i)
+      .sub(box.min)
+      .divideScalar(cell);
+    middle.copy(point).floor();
+    const key = middle.toArray().join();
+    const off = point.distanceToSquared(middle.addScalar(0.5));
+    const best = nearest.get(key);
+    if (!best || off < best.off) nearest.set(key, { vertex: i, off });
   }
+  const lines = [];
+  for (const { vertex } of nearest.values()) lines.push(...arrow(positions, normals, vertex, size * ARROW));
   return new Float32Array(lines);
+}
+
+/** @param {Float32Array} positions @param {Float32Array} normals @param {number} i @param {number} length */
+function arrow(positions, normals, i, length) {
+  const root = new Vector3().fromArray(positions, 3 * i);
+  const normal = new Vector3().fromArray(normals, 3 * i);
+  const tip = root.clone().addScaledVector(normal, length);
+  const across = new Vector3(normal.y, -normal.x, 0);
+  if (across.lengthSq() < 1e-6) across.set(1, 0, 0);
+  across.normalize().multiplyScalar(length * 0.16);
+  const head = tip.clone().addScaledVector(normal, -length * 0.3);
+  const [left, right] = [head.clone().add(across), head.sub(across)];
+  return [...root, ...tip, ...tip, ...left, ...tip, ...right];
 }

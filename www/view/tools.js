@@ -103,17 +103,16 @@ export function createTools(roots, { onView, onLayers, onAt }) {
 
   /** @param {Layers} layers @param {State} state */
   function showToggles(layers, state) {
+    roots.layers.hidden = state.outcome === null;
     for (const { layer, button } of toggles) {
       attribute(button, 'aria-pressed', String(layers[layer]));
       const { outcome } = state;
       button.hidden =
-        layer === 'side'
-          ? !state.picture && !outcome
-          : !outcome ||
-            (layer === 'excess' && !outcome.report.verified) ||
-            (layer === 'links' && !outcome.report.length.link_mm) ||
-            (layer === 'rapids' && !outcome.report.length.rapid_mm) ||
-            (layer === 'zones' && outcome.zones.length === 0);
+        !outcome ||
+        (layer === 'excess' && !outcome.report.verified) ||
+        (layer === 'links' && !outcome.report.length.link_mm) ||
+        (layer === 'rapids' && !outcome.report.length.rapid_mm) ||
+        (layer === 'zones' && outcome.zones.length === 0);
     }
   }
 
