@@ -18,11 +18,13 @@
  *
  * @typedef {{ version: number, name: string, strategy: string,
  *   length: { cut_mm: number, link_mm: number, rapid_mm: number }, passes: number, points: number,
- *   time_min: number | null, area_mm2: number, unreachable: { area_mm2: number, cell_mm: number } | null,
+ *   time_min: number, area_mm2: number, unreachable: { area_mm2: number, cell_mm: number },
  *   verified: Verified | null, scallop_mm: number, warnings: string[] }} Report
- * @typedef {{ largest_excess_mm: number, largest_excess_at: number[] | null, largest_gouge_mm: number,
- *   largest_gouge_at: number[] | null, sampling_error_mm: number, median_mm: number, q95_mm: number,
- *   q99_mm: number, share_within: number, samples: number, excluded_area_mm2: number }} Verified
+ * @typedef {{ largest_excess_mm: number | null, largest_excess_at: number[] | null,
+ *   largest_gouge_mm: number | null, largest_gouge_at: number[] | null, sampling_error_mm: number | null,
+ *   median_mm: number | null, q95_mm: number | null, q99_mm: number | null, share_within: number,
+ *   uncut_area_mm2: number, samples: number, excluded_area_mm2: number }} Verified
+ * A gouge is 0 or negative; what is `null` has no bound, or was not cut.
  *
  * @typedef {{ report: Report, seconds: number, picture: Picture, path: Float32Array, contacts: Float32Array,
  *   excess: Float32Array, zones: Float32Array,

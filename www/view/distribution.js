@@ -12,27 +12,33 @@ const BAR = { y: 22, height: 10 };
 
 /** @param {Verified} verified @param {number} limit Millimetres. */
 export function createDistribution(verified, limit) {
-  const most = Math.max(verified.largest_excess_mm, limit) * 1.06 || 1;
+  // What half, 95 or 99 % of the area do not exceed is unknown where that much was not cut.
+  const largest = verified.largest_excess_mm ?? 0;
+  const q99 = verified.q99_mm ?? largest;
+  const q95 = verified.q95_mm ?? q99;
+  const median = verified.median_mm ?? q95;
+  const most = Math.max(largest, limit) * 1.06 || 1;
   const at = (/** @type {number} */ mm) => (Math.max(0, Math.min(mm, most)) / most) * WIDTH;
   const { y, height } = BAR;
   const bar = (/** @type {number} */ from, /** @type {number} */ to, /** @type {string} */ name) =>
     s('rect', { class: name, x: at(from), y, width: Math.max(at(to) - at(from), 0.5), height });
+  /** @type {[string, number][]} */
   const marks = [
-    ['median', verified.median_mm],
-    ['q95', verified.q95_mm],
-    ['q99', verified.q99_mm],
-    ['largest', verified.largest_excess_mm],
+    ['median', median],
+    ['q95', q95],
+    ['q99', q99],
+    ['largest', largest],
   ];
   const limitAt = at(limit);
-  const text = marks.map(([id, mm]) => `${t(`results.${id}`)} ${micron(Number(mm))}`).join(', ');
+  const text = marks.map(([id, mm]) => `${t(`results.${id}`)} ${micron(mm)}`).join(', ');
   const drawing = s(
     'svg',
     { class: 'distribution', viewBox: `0 0 ${WIDTH} 40`, role: 'img', 'aria-label': text },
     s('rect', { class: 'ground', x: 0, y, width: WIDTH, height }),
-    bar(0, verified.median_mm, 'half'),
-    bar(verified.median_mm, verified.q95_mm, 'most'),
-    bar(verified.q95_mm, verified.q99_mm, 'nearly'),
-    bar(verified.q99_mm, verified.largest_excess_mm, 'all'),
+    bar(0, median, 'half'),
+    bar(median, q95, 'most'),
+    bar(q95, q99, 'nearly'),
+    bar(q99, largest, 'all'),
     s('path', { class: 'limit', d: `M${limitAt} ${y - 5}v${height + 10}` }),
     s(
       'text',
@@ -46,7 +52,7 @@ export function createDistribution(verified, limit) {
       { class: ['half', 'most', 'nearly', 'all'][i] },
       h('i', {}),
       h('span', {}, t(`results.${id}`)),
-      h('b', {}, micron(Number(mm))),
+      h('b', {}, micron(mm)),
     ),
   );
   return h(

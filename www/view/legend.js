@@ -43,7 +43,7 @@ export function createLegend(root) {
       const range = outcome ? excessRange(outcome.report) * 1000 : 0;
       say(low, `−${plain(range)}`);
       say(high, `+${plain(range)}`);
-      unknown.hidden = !verified?.excluded_area_mm2;
+      unknown.hidden = !verified?.excluded_area_mm2 && !verified?.uncut_area_mm2;
     },
   };
 }

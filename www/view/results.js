@@ -24,15 +24,16 @@ export function createResults(root) {
       body.hidden = outcome === null;
       stale.hidden = outcome === null || draft === planned;
       root.classList.toggle('old', !stale.hidden);
-      if (outcome && outcome !== shown) body.replaceChildren(...figures(outcome));
+      if (outcome && outcome !== shown)
+        body.replaceChildren(...figures(outcome, planned?.spec.tolerance?.chord_mm ?? 0));
       shown = outcome;
     },
   };
 }
 
-/** @param {Outcome} outcome */
-function figures({ report, seconds }) {
-  const missed = report.unreachable?.area_mm2 ?? 0;
+/** @param {Outcome} outcome @param {number} chord The deepest gouge that was allowed, millimetres. */
+function figures({ report, seconds }, chord) {
+  const missed = report.unreachable.area_mm2;
   const reached = report.area_mm2 > 0 ? Math.max(0, 1 - missed / report.area_mm2) : 1;
   return [
     h(
@@ -40,9 +41,9 @@ function figures({ report, seconds }) {
       { class: 'headline' },
       pair(t('results.length'), format.length(report.length.cut_mm), 'cut'),
       pair(t('results.passes'), format.count(report.passes), 'passes'),
-      report.time_min === null ? null : pair(t('results.machining'), format.minutes(report.time_min), 'time'),
+      pair(t('results.machining'), format.minutes(report.time_min), 'time'),
     ),
-    proof(report),
+    proof(report, chord),
     table(t('results.surface'), [
       ['reached', t('results.reached'), format.percent(reached)],
       ['unreachable', t('results.unreachable'), format.area(missed)],
@@ -69,39 +70,57 @@ function figures({ report, seconds }) {
   ].filter((node) => node !== false);
 }
 
-/** @param {Report} report */
-function proof({ verified, scallop_mm }) {
-  if (!verified)
-    return h('section', { class: 'proof' }, h('h3', {}, t('results.proof')), t('results.proof.none'));
-  // A path is as good as its worst sample, read against the limit and what sampling can miss.
-  const most = scallop_mm + verified.sampling_error_mm;
-  const good = verified.largest_excess_mm <= most && verified.largest_gouge_mm <= most;
-  const limit = format.micron(scallop_mm);
+/** @param {Report} report @param {number} chord */
+function proof({ verified, scallop_mm }, chord) {
+  const title = h('h3', {}, t('results.proof'));
+  if (!verified) return h('section', { class: 'proof' }, title, t('results.proof.none'));
+  const [id, limit] = verdict(verified, scallop_mm, chord);
   return h(
     'section',
     { class: 'proof' },
-    h('h3', {}, t('results.proof')),
+    title,
     h(
       'p',
-      { class: good ? 'verdict good' : 'verdict bad' },
-      icon(good ? 'good' : 'bad'),
-      t(good ? 'results.proof.good' : 'results.proof.bad', { limit }),
+      { class: id === 'good' ? 'verdict good' : 'verdict bad' },
+      icon(id === 'good' ? 'good' : 'bad'),
+      t(`results.proof.${id}`, { limit }),
     ),
-    createDistribution(verified, scallop_mm),
+    verified.largest_excess_mm !== null && createDistribution(verified, scallop_mm),
     list(proofRows(verified)),
   );
 }
 
+/**
+ * What the proof comes to, and the limit concerned.
+ *
+ * @param {Verified} v
+ * @param {number} scallop
+ * @param {number} chord
+ * @returns {[string, string]}
+ */
+function verdict(v, scallop, chord) {
+  // Each extreme is read against its limit and what sampling can miss.
+  const blur = v.sampling_error_mm ?? 0;
+  if (v.largest_excess_mm === null || v.uncut_area_mm2 > 0) return ['uncut', format.area(v.uncut_area_mm2)];
+  if ((v.largest_gouge_mm ?? 0) < -chord - blur) return ['deep', format.micron(chord)];
+  if (v.largest_excess_mm > scallop + blur) return ['high', format.micron(scallop)];
+  return ['good', format.micron(scallop)];
+}
+
 /** @param {Verified} v @returns {[string, string, string][]} */
 function proofRows(v) {
+  const micron = (/** @type {number | null} */ mm) =>
+    mm === null ? t('results.unknown') : format.micron(mm);
+  const blur = v.sampling_error_mm;
   /** @type {[string, string, string][]} */
   const rows = [
-    ['excess', t('results.excess'), format.micron(v.largest_excess_mm)],
-    ['gouge', t('results.gouge'), format.micron(v.largest_gouge_mm)],
-    ['error', t('results.error'), `± ${format.micron(v.sampling_error_mm)}`],
+    ['excess', t('results.excess'), micron(v.largest_excess_mm)],
+    ['gouge', t('results.gouge'), micron(v.largest_gouge_mm)],
+    ['error', t('results.error'), blur === null ? t('results.unknown') : `± ${format.micron(blur)}`],
     ['within', t('results.within'), format.percent(v.share_within)],
     ['samples', t('results.samples'), format.count(v.samples)],
   ];
+  if (v.uncut_area_mm2 > 0) rows.push(['uncut', t('results.uncut'), format.area(v.uncut_area_mm2)]);
   if (v.excluded_area_mm2 > 0)
     rows.push(['excluded', t('results.excluded'), format.area(v.excluded_area_mm2)]);
   return rows;

@@ -108,6 +108,7 @@ export function createSource(root, { onPick, onFiles, onFace, onUnit, onSide, li
         h('span', {}, `${info.format} · ${size(bytes.length)}`),
       ),
       ...(info.faces.length > 1 ? [faceSelect(info.faces, face, info.unit ?? spec.source.unit)] : []),
+      face.detail ? h('p', { class: 'help' }, face.detail) : '',
       unitRow(info.unit, spec.source.unit, face),
       ...info.warnings.map((warning) => h('p', { class: 'warning' }, warning)),
     );
@@ -117,7 +118,8 @@ export function createSource(root, { onPick, onFiles, onFace, onUnit, onSide, li
   function faceSelect(faces, face, unit) {
     const options = faces.map((f) => {
       const name = f.name || t('surface.face.unnamed', { index: f.index + 1 });
-      const text = t('surface.face.option', { name, size: f.detail || box(f.bounds_mm, unit ? 'mm' : '') });
+      const size = box(f.bounds_mm, unit ? 'mm' : '');
+      const text = t('surface.face.option', { name, size });
       return h('option', { value: f.index, selected: f.index === face.index }, text);
     });
     const select = h(
@@ -146,10 +148,9 @@ export function createSource(root, { onPick, onFiles, onFace, onUnit, onSide, li
       );
     }
     const asked = unit === null || unit === undefined;
-    // Bounds are millimetres under the unit in force, so they are taken back to the file's own numbers first.
-    const scale = asked ? 1 : MILLIMETRES[unit];
+    // The bounds of a file without a unit are stated as if it were the millimetre.
     const choices = UNITS.map((choice) => {
-      const factor = MILLIMETRES[choice] / scale;
+      const factor = MILLIMETRES[choice];
       const [low, high] = face.bounds_mm;
       return h(
         'label',
