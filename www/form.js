@@ -179,7 +179,7 @@ export function createForm(root, { onEdit, onVariant }) {
         say(parts.summary, brief(group, spec));
       }
       showValues(state, spec);
-      sketch.update(spec.cutter);
+      sketch.update(spec.cutter, state.outline);
     },
 
     /** Puts the cursor into a field and shows it. @param {string} path */

@@ -14,6 +14,7 @@ function empty() {
     canRedo: false,
     picture: null,
     faces: new Map(),
+    outline: null,
     outcome: null,
     planned: null,
     job: null,

@@ -26,11 +26,12 @@
  *   uncut_area_mm2: number, samples: number, excluded_area_mm2: number }} Verified
  * A gouge is 0 or negative; what is `null` has no bound, or was not cut.
  *
- * @typedef {{ report: Report, seconds: number, picture: Picture, path: Float32Array, contacts: Float32Array,
- *   excess: Float32Array, zones: Float32Array,
+ * @typedef {{ report: Report, seconds: number, proofSeconds: number | null, path: Float32Array,
+ *   contacts: Float32Array, zones: Float32Array, outline: Float32Array, picture: Picture | null, excess: Float32Array | null,
  *   files: { apt: Blob, nc: Blob | null, csv: Blob, report: Blob } }} Outcome
  * `path` has eight numbers a point: tip x, y, z, axis i, j, k, kind (0 cut, 1 link, 2 rapid), length so far.
- * `contacts` has three: where the cutter touches, or the tip on links. `excess` has one a vertex of the picture.
+ * `contacts` has three: where the cutter touches, or the tip on links. `excess` has one a vertex of the picture; both come with
+ * the proof. `outline` has the cutter's radius and height a point.
  *
  * @typedef {{ code: string, message: string, field?: string }} Problem
  * @typedef {{ id: string | null, name: string, bytes: Uint8Array | null, info: Inspection | null }} Source
@@ -43,7 +44,7 @@
  * @typedef {{ passes: boolean, links: boolean, rapids: boolean, excess: boolean, zones: boolean, side: boolean,
  *   cutter: boolean }} Layers
  * @typedef {{ schema: Schema | null, gallery: GalleryItem[], draft: Draft | null, canUndo: boolean,
- *   canRedo: boolean, picture: Picture | null, faces: Map<number, Picture>, outcome: Outcome | null, planned: Draft | null,
+ *   canRedo: boolean, picture: Picture | null, outline: Float32Array | null, faces: Map<number, Picture>, outcome: Outcome | null, planned: Draft | null,
  *   job: Job | null, problem: Problem | null, layers: Layers, at: number, dragging: boolean }} State
  * `planned` is the draft that `outcome` belongs to; `at` is the share of the path that is shown, 0 to 1; `faces` are the
  * pictures of a file's faces as far as they are made.

@@ -14,6 +14,9 @@ const ready = new Promise((resolve) => {
 /** @typedef {(phase: string, fraction: number) => void} Progress */
 /** @typedef {{ result: any, transfer: Transferable[] }} Answer */
 
+/** What was planned last, for its proof. @type {planner.Outcome | null} */
+let current = null;
+
 /** @type {Record<string, (args: any[], progress: Progress) => Answer>} */
 const operations = {
   start: () => ({
@@ -30,16 +33,24 @@ const operations = {
     return { result, transfer: buffers(result) };
   },
 
+  outline([spec]) {
+    const result = planner.outline(JSON.stringify(spec));
+    return { result, transfer: buffers({ result }) };
+  },
+
   plan([spec, bytes], progress) {
+    const text = JSON.stringify(spec);
     const began = performance.now();
-    const outcome = planner.plan(JSON.stringify(spec), bytes ?? undefined, progress);
+    current?.free();
+    current = null;
+    const outcome = planner.plan(text, bytes ?? undefined, progress);
+    current = outcome;
     const seconds = (performance.now() - began) / 1000;
-    const shown = picture(outcome);
     const arrays = {
       path: outcome.path(),
       contacts: outcome.contacts(),
-      excess: outcome.excess(),
       zones: outcome.zones(),
+      outline: planner.outline(text),
     };
     const report = outcome.report();
     const nc = outcome.nc();
@@ -50,10 +61,29 @@ const operations = {
       csv: new Blob([outcome.csv()], { type: 'text/csv' }),
       report: new Blob([report], { type: 'application/json' }),
     };
-    outcome.free();
+    const none = { picture: null, excess: null, proofSeconds: null };
     return {
-      result: { report: JSON.parse(report), seconds, picture: shown, ...arrays, files },
-      transfer: [...buffers(shown), ...buffers(arrays)],
+      result: { report: JSON.parse(report), seconds, ...arrays, ...none, files },
+      transfer: buffers(arrays),
+    };
+  },
+
+  prove(_, progress) {
+    if (!current) throw new Error('nothing is planned');
+    const began = performance.now();
+    current.prove(progress);
+    const proofSeconds = (performance.now() - began) / 1000;
+    const report = current.report();
+    const files = { report: new Blob([report], { type: 'application/json' }) };
+    const result = { report: JSON.parse(report), proofSeconds, files };
+    const shown = current.picture();
+    if (!shown) return { result, transfer: [] };
+    const arrays = picture(shown);
+    const excess = shown.excess();
+    shown.free();
+    return {
+      result: { ...result, picture: arrays, excess },
+      transfer: [...buffers(arrays), ...buffers({ excess })],
     };
   },
 };

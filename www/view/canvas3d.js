@@ -132,7 +132,7 @@ export function createCanvas3d(root, { onFace }) {
     }
     if (isNew || painted.outcome !== outcome || painted.layers !== layers) {
       const coloured = layers.excess && outcome?.report.verified;
-      surface.paint(coloured ? outcome.excess : null, outcome?.report ?? null);
+      surface.paint(coloured ? (outcome?.excess ?? null) : null, outcome?.report ?? null);
       // Before anything is planned, which side is cut is the question.
       surface.showArrows(layers.side || !outcome);
       path.show(layers, Boolean(coloured));
@@ -141,7 +141,7 @@ export function createCanvas3d(root, { onFace }) {
   }
 
   /** @param {State} state */
-  function showPath({ outcome, planned, layers, at }) {
+  function showPath({ outcome, layers, at }) {
     const size = surface.box.isEmpty() ? 100 : surface.box.min.distanceTo(surface.box.max);
     path.set(outcome, size);
     zones.set(outcome?.zones ?? null, outcome?.report.unreachable.cell_mm ?? 1, (before, after) => {
@@ -149,7 +149,7 @@ export function createCanvas3d(root, { onFace }) {
       scene.remove(before);
       scene.add(after);
     });
-    cutter.set(planned?.spec.cutter);
+    cutter.set(outcome?.outline ?? null);
     if (!outcome || outcome.path.length === 0) {
       cutter.show(false);
       return;

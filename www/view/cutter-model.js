@@ -1,6 +1,6 @@
 /** The cutter where the path is shown up to. */
 import { Color, LatheGeometry, Mesh, MeshStandardMaterial, Vector2, Vector3 } from 'three';
-import { outline } from './outline.js';
+import { pairs } from './outline.js';
 
 const SIDES = 48;
 /** Lathes turn around y. */
@@ -14,23 +14,21 @@ export function createCutterModel() {
     opacity: 0.62,
   });
   const mesh = new Mesh(new LatheGeometry([], 3), material);
-  let shown = '';
-  let possible = false;
+  /** @type {Float32Array | null} */
+  let shown = null;
 
   return {
     mesh,
 
-    /** @param {any} cutter */
-    set(cutter) {
-      const key = JSON.stringify(cutter ?? null);
-      if (key === shown) return;
-      shown = key;
-      const points = outline(cutter);
-      possible = points !== null;
+    /** @param {Float32Array | null} outline */
+    set(outline) {
+      if (outline === shown) return;
+      shown = outline;
       mesh.geometry.dispose();
-      const closed = points ? [...points, [0, points[points.length - 1][1]]] : [];
+      const points = outline ? pairs(outline) : [];
+      const top = points[points.length - 1]?.[1] ?? 0;
       mesh.geometry = new LatheGeometry(
-        closed.map(([radius, z]) => new Vector2(radius, z)),
+        [...points, [0, top]].map(([radius, z]) => new Vector2(radius, z)),
         SIDES,
       );
     },
@@ -43,7 +41,7 @@ export function createCutterModel() {
 
     /** @param {boolean} visible */
     show(visible) {
-      mesh.visible = visible && possible;
+      mesh.visible = visible && shown !== null;
     },
 
     /** @param {(name: string) => Color} color */

@@ -1,7 +1,7 @@
 /** A small drawing of the cutter with its measures. */
 import { plain } from '../format.js';
 import { s } from './dom.js';
-import { outline } from './outline.js';
+import { pairs } from './outline.js';
 
 const WIDTH = 260;
 const HEIGHT = 116;
@@ -14,16 +14,21 @@ export function createCutterSketch() {
     'aria-hidden': 'true',
   });
 
+  /** @type {{ outline: Float32Array | null }} */
+  let drawn = { outline: null };
+
   return {
     element,
 
-    /** @param {any} cutter */
-    update(cutter) {
-      const points = outline(cutter);
-      if (!points) {
+    /** @param {any} cutter @param {Float32Array | null} outline */
+    update(cutter, outline) {
+      if (drawn.outline === outline) return;
+      drawn = { outline };
+      if (!outline) {
         element.replaceChildren();
         return;
       }
+      const points = pairs(outline);
       const widest = Math.max(...points.map(([radius]) => radius));
       // Tall cutters are cut off: the corner is what matters.
       const tall = Math.min(points[points.length - 1][1], 2.2 * widest);

@@ -32,7 +32,7 @@ export function createResults(root) {
 }
 
 /** @param {Outcome} outcome @param {number} chord The deepest gouge that was allowed, millimetres. */
-function figures({ report, seconds }, chord) {
+function figures({ report, seconds, proofSeconds }, chord) {
   const missed = report.unreachable.area_mm2;
   const reached = report.area_mm2 > 0 ? Math.max(0, 1 - missed / report.area_mm2) : 1;
   return [
@@ -59,6 +59,7 @@ function figures({ report, seconds }, chord) {
       ['rapids', t('results.rapids'), format.length(report.length.rapid_mm)],
       ['points', t('results.points'), format.count(report.points)],
       ['computed', t('results.computed'), format.seconds(seconds)],
+      ...(proofSeconds === null ? [] : [row('proved', t('results.proved'), format.seconds(proofSeconds))]),
     ]),
     report.warnings.length > 0 &&
       h(
@@ -125,6 +126,9 @@ function proofRows(v) {
     rows.push(['excluded', t('results.excluded'), format.area(v.excluded_area_mm2)]);
   return rows;
 }
+
+/** @param {string} id @param {string} name @param {string} value @returns {[string, string, string]} */
+const row = (id, name, value) => [id, name, value];
 
 /** @param {string} title @param {[string, string, string][]} rows */
 function table(title, rows) {

@@ -93,7 +93,11 @@ export function createSurfaceMesh() {
      */
     paint(excess, report) {
       const coloured =
-        excess !== null && report !== null && shown !== null && excess.length * 3 === shown.positions.length;
+        excess !== null &&
+        excess.length > 0 &&
+        report !== null &&
+        shown !== null &&
+        excess.length * 3 === shown.positions.length;
       if (coloured) {
         mesh.geometry.setAttribute(
           'color',
