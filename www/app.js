@@ -49,6 +49,7 @@ const open = createOpener(planner, state, {
 });
 /** @type {{ update: (state: State) => void, look: (view: string) => void } | null} */
 let canvas = null;
+let isDrawn = false;
 
 const undo = h(
   'button',
@@ -100,6 +101,8 @@ function render(now) {
   undo.disabled = !now.canUndo;
   redo.disabled = !now.canRedo;
   document.body.classList.toggle('dragging', now.dragging);
+  // Ready is when there is something to look at, or word of why not.
+  if (isDrawn && (now.outcome || now.problem)) document.documentElement.dataset.ready = '';
   attribute(document.documentElement, 'data-job', now.job?.op ?? null);
   session.refresh(now);
 }
@@ -225,12 +228,13 @@ async function start() {
   try {
     const { schema, gallery } = await planner.call('start', []);
     state.set({ schema, gallery });
-    if (gallery.length > 0) await pick(gallery[0].id);
+    if (gallery.length > 0) pick(gallery[0].id);
   } catch (error) {
     fail(error);
   }
   await drawing;
-  document.documentElement.dataset.ready = '';
+  isDrawn = true;
+  state.set({});
 }
 
 start();

@@ -129,7 +129,7 @@ export function createSession(planner, state, { onProblem, onError }) {
       }
       planner.cancel();
       if (!pictured.done) pictured = { source: null, bytes: null, done: false };
-      let job = { op: 'plan', phase: '', fraction: 0 };
+      let job = { op: 'plan', phase: '', fraction: 0, draft };
       state.set({ job, problem: null });
       // A new surface is seen before its path is there.
       refreshPicture(state.get());
@@ -137,7 +137,7 @@ export function createSession(planner, state, { onProblem, onError }) {
       try {
         await planAndProve(draft, (from, to) => (phase, fraction) => {
           if (state.get().job !== job) return;
-          job = { op: 'plan', phase, fraction: from + (to - from) * fraction };
+          job = { op: 'plan', phase, fraction: from + (to - from) * fraction, draft };
           state.set({ job });
         });
       } catch (error) {

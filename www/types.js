@@ -40,7 +40,7 @@
  * @typedef {{ spec: Spec, source: Source }} Draft
  * Everything that a person edits, and what undo goes back to.
  *
- * @typedef {{ op: string, phase: string, fraction: number }} Job
+ * @typedef {{ op: string, phase: string, fraction: number, draft: Draft }} Job
  * @typedef {{ passes: boolean, links: boolean, rapids: boolean, excess: boolean, zones: boolean, side: boolean,
  *   cutter: boolean }} Layers
  * @typedef {{ schema: Schema | null, gallery: GalleryItem[], draft: Draft | null, canUndo: boolean,

@@ -25,6 +25,13 @@ export async function visit(page) {
   expect(errors).toEqual([]);
 }
 
+/** Waits for the proof of the path on show; whether it is good. */
+export async function proof(page) {
+  const verdict = page.locator('.verdict');
+  await verdict.waitFor({ timeout: 200_000 });
+  return /good/.test(await verdict.getAttribute('class'));
+}
+
 /** Drops files on the page, as a person would: on whatever is in its middle. */
 export async function drop(page, files) {
   const transfer = await page.evaluateHandle((list) => {

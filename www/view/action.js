@@ -26,7 +26,7 @@ export function createAction(root, { onPlan, onCancel }) {
     h('div', { class: 'status' }, h('div', { class: 'words' }, phase, share), bar),
     cancel,
   );
-  root.append(plan, busy);
+  root.append(busy, plan);
   let wasPlanning = false;
 
   return {
@@ -34,9 +34,10 @@ export function createAction(root, { onPlan, onCancel }) {
     update({ job, draft, planned, outcome }) {
       const planning = job?.op === 'plan';
       busy.hidden = !planning;
-      plan.hidden = planning;
+      // Whoever changes a setting meanwhile need not wait for what is out of date.
+      plan.hidden = planning && job.draft === draft;
       plan.disabled = !draft;
-      say(plan, t(outcome && draft !== planned ? 'action.replan' : 'action.plan'));
+      say(plan, t((outcome || planning) && draft !== planned ? 'action.replan' : 'action.plan'));
       plan.classList.toggle('done', outcome !== null && draft === planned);
       if (planning) {
         say(phase, t(`phase.${job.phase}`, {}, job.phase || t('progress.plan')));
