@@ -34,6 +34,10 @@ pub(super) struct Candidate {
     pub(super) reversed: bool,
 }
 
+/// The share of a strip's reach to one side that is trusted to be there on the other, towards a corner where no node
+/// measures it: on a bent face planes cut the two sides at different slopes.
+const CORNER: f64 = 0.85;
+
 /// The share of a pass's columns that may be left to partial passes.
 const OPEN: f64 = 0.1;
 /// How much farther, as a share of the step, a pass must come for that: partial passes cost lifts and scars.
@@ -114,7 +118,7 @@ impl<'a> Family<'a> {
     /// The first pass: as far in as its strips still run over the border everywhere.
     fn first(&self, stage: &Stage) -> Result<Candidate, Cancelled> {
         let lo = self.levels.lo;
-        let edge = self.candidate(lo, 0, stage)?;
+        let edge = self.candidate(lo, 0, Detail::Full, stage)?;
         if self.levels.periodic {
             return Ok(edge);
         }
@@ -124,7 +128,7 @@ impl<'a> Family<'a> {
         // A thousandth of the first strip is nothing in the length of a path.
         for _ in 0..12 {
             let middle = 0.5 * (inside + outside);
-            let candidate = self.candidate(lo + middle, 0, stage)?;
+            let candidate = self.candidate(lo + middle, 0, Detail::Full, stage)?;
             if fits(&candidate) {
                 (inside, best) = (middle, candidate);
             } else {
@@ -146,32 +150,38 @@ impl<'a> Family<'a> {
         index: usize,
         stage: &Stage,
     ) -> Result<Candidate, Cancelled> {
-        let strict = self.farthest(front, from, guess, 0.0, index, stage)?;
-        let step = strict.level - from;
+        // Found on a few columns first; all columns then have the last word.
+        let sketch = |guess, open| self.farthest(front, (from, guess), open, (index, Detail::Sketch), stage);
+        let strict = sketch(guess, 0.0)?;
+        let mut step = strict.level - from;
+        let mut open = 0.0;
         let overlap = front.gaps(&self.front(&strict, Toward::Lower)).all_but(OPEN).unwrap_or(0.0);
-        if overlap > -WORTH * step {
-            return Ok(strict);
+        if overlap <= -WORTH * step {
+            let loose = sketch(step - overlap, OPEN)?;
+            if loose.level - from > (1.0 + WORTH) * step {
+                (step, open) = (loose.level - from, OPEN);
+            }
         }
-        let loose = self.farthest(front, from, step - overlap, OPEN, index, stage)?;
-        Ok(if loose.level - from > (1.0 + WORTH) * step { loose } else { strict })
+        self.farthest(front, (from, step), open, (index, Detail::Full), stage)
     }
 
     /// The farthest pass whose strips meet `front` in all but the share `open` of their columns.
     fn farthest(
         &self,
         front: &Front,
-        from: f64,
-        guess: f64,
+        (from, guess): (f64, f64),
         open: f64,
-        index: usize,
+        (index, detail): (usize, Detail),
         stage: &Stage,
     ) -> Result<Candidate, Cancelled> {
         let most = self.levels.length() - (from - self.levels.lo);
         let gap_at = |step: f64| -> Result<(Option<f64>, Candidate), Cancelled> {
-            let candidate = self.candidate(from + step, index, stage)?;
+            let candidate = self.candidate(from + step, index, detail, stage)?;
             Ok((front.gaps(&self.front(&candidate, Toward::Lower)).all_but(open), candidate))
         };
         let least = 0.05 * self.nominal;
+        // The gap grows nearly linearly with the step; a percent of a step is less than a percent of the path.
+        let tolerance = 0.01;
         let (mut low, mut low_gap) = (0.0, -guess);
         let mut best: Option<Candidate> = None;
         let mut high = None;
@@ -185,6 +195,7 @@ impl<'a> Family<'a> {
                     high = Some((step, gap));
                     break;
                 }
+                Some(gap) if gap > -tolerance * step => return Ok(candidate),
                 Some(gap) => (low, low_gap, best) = (step, gap, Some(candidate)),
             }
             if step >= most {
@@ -193,10 +204,11 @@ impl<'a> Family<'a> {
             step = (step * 1.3).min(most);
         }
         let Some((mut high, mut high_gap)) = high else {
-            return self.last(best, low, from, index, stage);
+            return match (detail, best) {
+                (Detail::Sketch, Some(candidate)) => Ok(candidate),
+                (_, best) => self.last(best, low, from, index, stage),
+            };
         };
-        // The gap grows nearly linearly with the step; half a percent of a step is half a percent of the path.
-        let tolerance = 0.005;
         for k in 0..30 {
             if (low > 0.0 && high - low < tolerance * high) || high < least {
                 break;
@@ -220,7 +232,7 @@ impl<'a> Family<'a> {
         match best {
             Some(candidate) => Ok(candidate),
             // No step worth a whole pass closes the gap: go on by the least, and leave the rest to partial passes.
-            None => self.candidate(from + least.min(most), index, stage),
+            None => self.candidate(from + least.min(most), index, detail, stage),
         }
     }
 
@@ -235,12 +247,12 @@ impl<'a> Family<'a> {
     ) -> Result<Candidate, Cancelled> {
         let mut best = match at_border {
             Some(candidate) => candidate,
-            None => self.candidate(self.levels.hi, index, stage)?,
+            None => self.candidate(self.levels.hi, index, Detail::Full, stage)?,
         };
         let (mut outside, mut inside) = (0.0, step);
         for _ in 0..10 {
             let middle = 0.5 * (inside + outside);
-            let candidate = self.candidate(from + middle, index, stage)?;
+            let candidate = self.candidate(from + middle, index, Detail::Full, stage)?;
             if self.ends_family(&candidate, Toward::Higher) {
                 (inside, best) = (middle, candidate);
             } else {
@@ -259,7 +271,7 @@ impl<'a> Family<'a> {
         };
         let away = (candidate.level - end).abs();
         let reaches = |p: &Probe| match p.reach(back) {
-            Some(Reach::To { level, .. }) => (level - candidate.level).abs() >= away,
+            Some(Reach::To { level, .. }) => CORNER * (level - candidate.level).abs() >= away,
             Some(Reach::Border { .. }) | None => true,
         };
         let corner = matches!(self.setup.field, Field::Along(_));
@@ -274,14 +286,24 @@ impl<'a> Family<'a> {
         self.order == Order::ZigZag && index % 2 == 1
     }
 
-    fn candidate(&self, level: f64, index: usize, stage: &Stage) -> Result<Candidate, Cancelled> {
+    fn candidate(
+        &self,
+        level: f64,
+        index: usize,
+        detail: Detail,
+        stage: &Stage,
+    ) -> Result<Candidate, Cancelled> {
         // At the very ends a section may be a single point.
         let level = if self.levels.periodic {
             level
         } else {
             level.clamp(self.levels.lo + self.margin(), self.levels.hi - self.margin())
         };
-        self.probed(level, self.lines.lines(level), self.reversed(index), stage)
+        let mut lines = self.lines.lines(level);
+        if detail == Detail::Sketch {
+            lines.iter_mut().for_each(thin);
+        }
+        self.probed(level, lines, self.reversed(index), stage)
     }
 
     /// `lines`, all of `level`, with what the cutter does at their nodes.
@@ -349,6 +371,26 @@ impl<'a> Family<'a> {
 
 /// Samples a side of a cell where the rim of the unreachable is mapped.
 const FINE: usize = 3;
+
+/// How many of a line's nodes are looked at.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Detail {
+    /// A few, to find a step.
+    Sketch,
+    /// All.
+    Full,
+}
+
+/// Keeps every sixth node and the ends, but at least a dozen.
+fn thin(line: &mut IsoLine) {
+    let last = line.nodes.len() - 1;
+    let stride = (line.nodes.len() / 12).clamp(1, 6);
+    let mut i = 0;
+    line.nodes.retain(|_| {
+        i += 1;
+        (i - 1) % stride == 0 || i - 1 == last
+    });
+}
 
 impl Candidate {
     /// Whether the cutter can go everywhere on the lines and its strips run over the border everywhere.
