@@ -1,10 +1,9 @@
 //! All lines against all moves.
 
 use super::body::Body;
-use super::cells::{Cell, gather};
-use super::entry::{Line, TOUCH, first_entry};
-use super::motion::{Motion, Piece};
-use super::sweeps::Sweeps;
+use super::cells::{Cell, halve};
+use super::entry::{Line, enter};
+use super::sweeps::{Candidate, Sweeps};
 use crate::monitor::{Cancelled, Stage};
 use crate::toolpath::Toolpath;
 use glam::DVec3;
@@ -26,124 +25,121 @@ impl Hit {
 #[derive(Debug, Clone)]
 pub(super) struct Scene {
     pub(super) body: Body,
-    motion: Motion,
     sweeps: Sweeps,
     /// Lowest and highest `t` of interest, millimetres.
     from: f64,
     to: f64,
 }
 
-/// Samples in one task: small enough that cancelling is prompt and workers share evenly.
-const TASK: usize = 2048;
+/// Samples in one task at most: few enough that cancelling is prompt and workers share evenly, many enough that the
+/// search for what comes near at all is shared.
+const TASK: usize = 1024;
+/// Lines up to which a cell is cut by the part nearest to it before it is halved: what is far above that cut need
+/// not be looked at again. In larger cells one part is near to few.
+const TRIED: usize = 64;
+/// Lines in the smallest cells.
+const SMALLEST: usize = 3;
+
+/// A line on its way through the cells, and what it met so far.
+#[derive(Debug, Clone, Copy)]
+struct Job {
+    number: u32,
+    line: Line,
+    hit: Hit,
+}
 
 impl Scene {
     pub(super) fn new(body: Body, path: &Toolpath, from: f64, to: f64) -> Self {
-        let motion = Motion::new(&body, path);
-        let sweeps = Sweeps::new(&body, &motion);
-        Self { body, motion, sweeps, from, to }
+        let sweeps = Sweeps::new(&body, path);
+        Self { body, sweeps, from, to }
     }
 
-    /// The first entry of each line `points[i] + t·directions[i]`, in cubes of edge `size`. A direction that is zero
-    /// meets nothing.
+    /// The first entry of each line `points[i] + t·directions[i]`. A direction that is zero meets nothing.
     pub(super) fn cut(
         &self,
         points: &[DVec3],
         directions: &[DVec3],
-        size: f64,
         stage: &Stage,
     ) -> Result<Vec<Hit>, Cancelled> {
-        let (order, starts) = gather(points, size, |i| directions[i] != DVec3::ZERO);
-        // Whole cells to a task.
-        let mut tasks = vec![0];
-        for cell in 1..starts.len() {
-            let begun = starts[tasks[tasks.len() - 1]] as usize;
-            if starts[cell] as usize - begun >= TASK || cell + 1 == starts.len() {
-                tasks.push(cell);
+        let ends = |i: &u32| {
+            let (point, direction) = (points[*i as usize], directions[*i as usize]);
+            [point, point + direction * self.from]
+        };
+        let mut order: Vec<u32> =
+            (0..points.len() as u32).filter(|&i| directions[i as usize] != DVec3::ZERO).collect();
+        let mut tasks: Vec<&[u32]> = Vec::new();
+        let mut open = vec![&mut order[..]];
+        while let Some(lines) = open.pop() {
+            if lines.len() <= TASK {
+                tasks.push(lines);
+            } else {
+                let middle = halve(lines, ends, |i| *i);
+                let (left, right) = lines.split_at_mut(middle);
+                open.extend([right, left]);
             }
         }
-        let cut_task = |task: usize| -> Vec<Hit> {
-            let mut hits = Vec::new();
-            let mut room = Room::default();
-            for cell in tasks[task]..tasks[task + 1] {
-                let members = &order[starts[cell] as usize..starts[cell + 1] as usize];
-                let line = |i: &u32| {
-                    let (point, direction) = (points[*i as usize], directions[*i as usize]);
-                    Line { point, direction, from: self.from, to: self.to }
-                };
-                room.lines.clear();
-                room.lines.extend(members.iter().map(line));
-                self.cut_cell(&mut room, &mut hits);
-            }
-            hits
+        let cut_task = |task: usize| -> Vec<(u32, Hit)> {
+            let job = |&i: &u32| {
+                let (point, direction) = (points[i as usize], directions[i as usize]);
+                Job {
+                    number: i,
+                    line: Line { point, direction, from: self.from, to: self.to },
+                    hit: Hit::NONE,
+                }
+            };
+            let mut jobs: Vec<Job> = tasks[task].iter().map(job).collect();
+            let mut near = Vec::from_iter(self.sweeps.root());
+            self.cut_cell(&mut jobs, &mut near, 0);
+            jobs.iter().map(|job| (job.number, job.hit)).collect()
         };
-        let parts = stage.map(tasks.len() - 1, cut_task)?;
         let mut all = vec![Hit::NONE; points.len()];
-        for (i, hit) in order.iter().zip(parts.into_iter().flatten()) {
-            all[*i as usize] = hit;
+        for (number, hit) in stage.map(tasks.len(), cut_task)?.into_iter().flatten() {
+            all[number as usize] = hit;
         }
         Ok(all)
     }
 
-    /// Appends the hits of the lines in `room`. Each line's upper end comes down to the best entry found so far, so the
-    /// moves nearest to the cell go first.
-    fn cut_cell(&self, room: &mut Room, hits: &mut Vec<Hit>) {
-        let begin = hits.len();
-        hits.resize(begin + room.lines.len(), Hit::NONE);
-        let cell = Cell::around(&room.lines);
-        self.sweeps.near(&cell.region, &mut room.near);
-        room.ranked.clear();
-        for &number in &room.near {
-            let (least, distance) = self.least(&self.motion.moves()[number as usize], &cell, self.to);
-            if least < -TOUCH {
-                room.ranked.push((distance, number));
-            }
-        }
-        room.ranked.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        let mut top = self.to;
-        for &(_, number) in &room.ranked {
-            if self.least(&self.motion.moves()[number as usize], &cell, top).0 >= -TOUCH {
-                continue;
-            }
-            let pieces = self.motion.pieces(number);
-            for piece in pieces {
-                if pieces.len() > 1 && self.least(piece, &cell, top).0 >= -TOUCH {
-                    continue;
-                }
-                top = f64::NEG_INFINITY;
-                for (line, hit) in room.lines.iter_mut().zip(&mut hits[begin..]) {
-                    if let Some(entry) = first_entry(&self.body, piece, line) {
-                        *hit = Hit { t: entry.t, ball: entry.ball };
-                        line.to = entry.t;
-                    }
-                    top = top.max(line.to);
-                }
-            }
-        }
-    }
-
-    /// A lower bound of the distance between the body during `piece` and all lines of `cell` below `top`, and the
-    /// distance at mid time that it comes from.
+    /// Cuts `jobs` with what is in `near` from `begin` on; leaves `near` as it was. Each line's upper end comes down to
+    /// the best entry found so far.
     ///
-    /// The distance is convex in space, and in time but for the sag, so the tangent at one point and time bounds it.
-    fn least(&self, piece: &Piece, cell: &Cell, top: f64) -> (f64, f64) {
-        let x = cell.centre + cell.direction * top;
-        let probe = piece.probe(&self.body, 0.5, x, cell.direction);
-        let along = probe.by_line;
-        let across = (1.0 - along * along).max(0.0).sqrt();
-        let turn = piece.half_turn();
-        let size = cell.radius + cell.height + top.abs() * cell.spread;
-        // Lines also run down from `top`; that brings them closer only where the body is not above.
-        let down = (along + cell.spread + turn).max(0.0) * (top - self.from);
-        let lateral = across * cell.radius + along.abs() * cell.height + top.abs() * cell.spread;
-        let time = 0.5 * probe.by_time.abs() + turn * size + piece.sag(probe.lever);
-        (probe.distance - lateral - down - time, probe.distance)
+    /// Cells are halved down to a few lines, and each half is left with what of its parent's candidates can still reach it.
+    fn cut_cell(&self, jobs: &mut [Job], near: &mut Vec<Candidate>, begin: usize) {
+        if jobs.is_empty() {
+            return;
+        }
+        let smallest = jobs.len() <= SMALLEST;
+        let cell = Cell::around(jobs.iter().map(|job| &job.line));
+        let end = near.len();
+        for i in begin..end {
+            self.sweeps.sift(&self.body, &cell, near[i], smallest, near);
+        }
+        if smallest {
+            near[end..].sort_unstable_by(Candidate::by_distance);
+            for candidate in &near[end..] {
+                self.try_on(jobs, *candidate);
+            }
+        } else if near.len() > end {
+            if jobs.len() <= TRIED
+                && let Some(nearest) = near[end..].iter().min_by(|a, b| a.by_distance(b))
+            {
+                self.try_on(jobs, *nearest);
+            }
+            let ends = |job: &Job| [job.line.point, job.line.at(self.from)];
+            let middle = halve(jobs, ends, |job| job.number);
+            let (left, right) = jobs.split_at_mut(middle);
+            self.cut_cell(left, near, end);
+            self.cut_cell(right, near, end);
+        }
+        near.truncate(end);
     }
-}
 
-/// Working memory of a task.
-#[derive(Default)]
-struct Room {
-    lines: Vec<Line>,
-    near: Vec<u32>,
-    ranked: Vec<(f64, u32)>,
+    fn try_on(&self, jobs: &mut [Job], candidate: Candidate) {
+        let Candidate::Part(number, _) = candidate else { return };
+        for job in jobs {
+            if let Some(entry) = enter(&self.body, self.sweeps.part(number), &job.line) {
+                job.hit = Hit { t: entry.t, ball: entry.ball };
+                job.line.to = entry.t;
+            }
+        }
+    }
 }

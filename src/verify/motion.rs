@@ -1,17 +1,11 @@
-//! The cutter's motion, in pieces short enough to search.
+//! The cutter's motion, in parts that are short beside it.
 
 use super::body::Body;
-use super::sweeps::{Box3, Slices, slices};
 use crate::toolpath::{ClPoint, Toolpath};
 use glam::DVec3;
-use std::ops::Range;
 
-/// What the search for the closest approach within a piece may miss, millimetres: the aim of 0.05 µm. A local minimum of
-/// a function whose second derivative is nowhere below `−κ` is within `κ/2` of the lowest value over a unit interval,
-/// and `κ/2` is four times [`Piece::sag`].
-const MISS: f64 = 5e-5;
-/// Pieces a move is cut into at most; reached only by moves that turn by a right angle over metres.
-const MOST_PIECES: f64 = 10_000.0;
+/// Parts that one move is cut into at most; reached only by moves a thousand times longer than the cutter is wide.
+const MOST_PARTS: f64 = 10_000.0;
 
 /// A move or a part of it: for `s` in [0, 1] the tip is at `tip + s·travel` and the axis along `axis + s·turn`.
 #[derive(Debug, Clone, Copy)]
@@ -50,38 +44,33 @@ impl Piece {
         Self { tip: from.tip, travel, axis: from.axis, turn, rate, length: travel.length() }
     }
 
-    /// The part of this piece between the parameters `range`: the very same motion.
-    fn part(&self, range: Range<f64>) -> Self {
-        let share = range.end - range.start;
+    /// The share `1/count` of this piece that begins at `index/count`: the very same motion.
+    pub(super) fn part(&self, index: u32, count: u32) -> Self {
+        let share = 1.0 / f64::from(count);
+        let from = f64::from(index) * share;
         Self {
-            tip: self.tip + self.travel * range.start,
+            tip: self.tip + self.travel * from,
             travel: self.travel * share,
-            axis: self.axis + self.turn * range.start,
+            axis: self.axis + self.turn * from,
             turn: self.turn * share,
             rate: self.rate * share,
             length: self.length * share,
         }
     }
 
-    /// Boxes around what each slice of the body sweeps.
-    pub(super) fn swept(&self, body: &Body) -> Slices {
-        let top = body.top();
-        slices(body).map(|(low, high)| {
-            let mut swept = Box3::EMPTY;
-            for s in [0.0, 1.0] {
-                let tip = self.tip + self.travel * s;
-                let axis = (self.axis + self.turn * s).normalize_or_zero();
-                // The slice's cylinder, and how far its ends bulge out between the two poses of a turning axis.
-                let bulge = 0.125 * self.rate * self.rate * (top + body.largest_radius());
-                let wide = (DVec3::ONE - axis * axis).max(DVec3::ZERO).to_array().map(f64::sqrt);
-                let margin = DVec3::from(wide) * body.largest_radius() + bulge;
-                for z in [low, high] {
-                    let centre = tip + axis * z;
-                    swept = swept.with(centre - margin).with(centre + margin);
-                }
-            }
-            swept
-        })
+    /// Tip and unit axis at parameter `s`.
+    pub(super) fn pose(&self, s: f64) -> ClPoint {
+        ClPoint { tip: self.tip + self.travel * s, axis: (self.axis + self.turn * s).normalize_or(DVec3::Z) }
+    }
+
+    /// The body standing still.
+    pub(super) fn still(at: &ClPoint) -> Self {
+        Self::between(at, at)
+    }
+
+    /// How far the tip travels, millimetres.
+    pub(super) fn length(&self) -> f64 {
+        self.length
     }
 
     /// How far, at most, the distance of a point with `lever` from the tip can bend below its tangent at mid time.
@@ -124,45 +113,20 @@ impl Piece {
     }
 }
 
-/// All moves of a path and the pieces each is cut into.
-#[derive(Debug, Clone)]
-pub(super) struct Motion {
-    moves: Vec<Piece>,
-    pieces: Vec<Piece>,
-    first: Vec<u32>,
-}
-
-impl Motion {
-    /// The motion of `body` along `path`, whose axes must be unit and never turn by more than 150° in a move.
-    /// The first position counts as a move that stands still.
-    pub(super) fn new(body: &Body, path: &Toolpath) -> Self {
-        let mut motion = Self { moves: Vec::new(), pieces: Vec::new(), first: vec![0] };
-        let mut from = path.moves.first().map(|m| m.to);
-        for step in &path.moves {
-            let whole = Piece::between(&from.unwrap_or(step.to), &step.to);
-            // The sag falls with the square of the number of pieces.
-            let count = (4.0 * whole.sag(body.reach()) / MISS).sqrt().ceil().clamp(1.0, MOST_PIECES);
-            for i in 0..count as usize {
-                let at = |i: usize| i as f64 / count;
-                motion.pieces.push(whole.part(at(i)..at(i + 1)));
-            }
-            motion.moves.push(whole);
-            motion.first.push(motion.pieces.len() as u32);
-            from = Some(step.to);
-        }
-        motion
+/// The motion of `body` along `path`, in parts during which no point of its cutting part goes much further than its
+/// radius. Axes must be unit and never turn by more than 150° in a move. The first position counts as a move that stands
+/// still.
+pub(super) fn parts(body: &Body, path: &Toolpath) -> Vec<Piece> {
+    let mut parts = Vec::with_capacity(path.moves.len());
+    let mut from = path.moves.first().map(|m| m.to);
+    for step in &path.moves {
+        let whole = Piece::between(&from.unwrap_or(step.to), &step.to);
+        let way = whole.length + whole.rate * body.reach();
+        let count = (way / body.largest_radius()).ceil().clamp(1.0, MOST_PARTS) as u32;
+        parts.extend((0..count).map(|i| whole.part(i, count)));
+        from = Some(step.to);
     }
-
-    /// The moves, whole.
-    pub(super) fn moves(&self) -> &[Piece] {
-        &self.moves
-    }
-
-    /// The pieces of move `index`, in order.
-    pub(super) fn pieces(&self, index: u32) -> &[Piece] {
-        let i = index as usize;
-        &self.pieces[self.first[i] as usize..self.first[i + 1] as usize]
-    }
+    parts
 }
 
 #[cfg(test)]
@@ -197,19 +161,19 @@ mod tests {
     }
 
     #[test]
-    fn pieces_are_the_same_motion() {
+    fn parts_are_the_same_motion() {
         let body = Body::new(&Cutter::ball(10.0, 20.0).unwrap(), 50.0);
-        let step =
-            |tip: DVec3, axis: DVec3| Move { to: ClPoint { tip, axis }, rate: Rate::Rapid, role: Role::Link };
-        let moves = vec![step(DVec3::ZERO, DVec3::Z), step(DVec3::X * 30.0, DVec3::X)];
-        let motion = Motion::new(&body, &Toolpath { moves });
-        let pieces = motion.pieces(1);
-        assert!(pieces.len() > 100);
+        let [from, to] =
+            [(DVec3::ZERO, DVec3::Z), (DVec3::X * 30.0, DVec3::X)].map(|(tip, axis)| ClPoint { tip, axis });
+        let moves = [from, to].map(|to| Move { to, rate: Rate::Rapid, role: Role::Link }).to_vec();
+        let parts = parts(&body, &Toolpath { moves });
+        assert!(parts.len() > 10);
+        let whole = Piece::between(&from, &to);
         let x = DVec3::new(3.0, 4.0, 5.0);
-        for (i, piece) in pieces.iter().enumerate() {
-            let s = (i as f64 + 0.3) / pieces.len() as f64;
-            let whole = motion.moves()[1].probe(&body, s, x, DVec3::Z).distance;
-            assert!((piece.probe(&body, 0.3, x, DVec3::Z).distance - whole).abs() < 1e-12);
+        for (i, part) in parts[1..].iter().enumerate() {
+            let s = (i as f64 + 0.3) / (parts.len() - 1) as f64;
+            let there = whole.probe(&body, s, x, DVec3::Z).distance;
+            assert!((part.probe(&body, 0.3, x, DVec3::Z).distance - there).abs() < 1e-12);
         }
     }
 }

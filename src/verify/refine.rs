@@ -33,8 +33,6 @@ pub(super) struct Search {
     pub(super) tolerance: f64,
     /// Samples that may be added.
     pub(super) most: usize,
-    /// Edge of the cubes for cutting, millimetres.
-    pub(super) size: f64,
 }
 
 /// Triangles split in the first round; twice as many in each round after it.
@@ -99,7 +97,7 @@ impl<'a> Field<'a> {
             let mut children = Vec::new();
             let mut top = open.remove(0);
             for _ in 0..CLIMB {
-                let four = self.split(&[top.1], scene, search.size, &quiet)?;
+                let four = self.split(&[top.1], scene, &quiet)?;
                 best = self.best(sense, begin, Some(best)).unwrap_or(best);
                 let bounds: Vec<f64> = four.iter().map(|t| self.bound(sense, round, *t)).collect();
                 let first = (0..4).fold(0, |a, b| if bounds[b] > bounds[a] { b } else { a });
@@ -113,7 +111,7 @@ impl<'a> Field<'a> {
             let room_left = room.saturating_sub(self.samples.len() - begin);
             let split: Vec<_> =
                 open.drain(..batch.min(room_left / 3).min(open.len())).map(|(_, t)| t).collect();
-            children.extend(self.split(&split, scene, search.size, &quiet)?);
+            children.extend(self.split(&split, scene, &quiet)?);
             room = room.saturating_sub(self.samples.len() - begin);
             best = self.best(sense, begin, Some(best)).unwrap_or(best);
             for triangle in children {
@@ -165,7 +163,6 @@ impl<'a> Field<'a> {
         &mut self,
         triangles: &[[u32; 3]],
         scene: &Scene,
-        size: f64,
         stage: &Stage,
     ) -> Result<Vec<[u32; 3]>, Cancelled> {
         let begin = self.samples.len();
@@ -181,7 +178,7 @@ impl<'a> Field<'a> {
         }
         let points: Vec<_> = self.samples[begin..].iter().map(|s| s.point).collect();
         let normals: Vec<_> = self.samples[begin..].iter().map(|s| s.normal).collect();
-        let hits = scene.cut(&points, &normals, size, stage)?;
+        let hits = scene.cut(&points, &normals, stage)?;
         self.counts.extend(hits.iter().map(|hit| hit.t.is_finite()));
         self.hits.extend(hits);
         Ok(children)

@@ -126,13 +126,10 @@ pub fn verify(
     options.check()?;
     check_path(path)?;
     let scene = Scene::new(Body::new(cutter, options.shank), path, -options.depth, options.search);
-    let area = samples.area();
     let count = samples.samples.len();
-    // Cubes with some forty samples on a flat surface: fewer waste searches for moves, more judge too coarsely.
-    let size = if area > 0.0 { 6.0 * (area / count as f64).sqrt() } else { 1.0 };
     let points: Vec<DVec3> = samples.samples.iter().map(|s| s.point).collect();
     let normals: Vec<DVec3> = samples.samples.iter().map(|s| s.normal).collect();
-    let hits = scene.cut(&points, &normals, size, &stage.part("cutting samples", 0.0, 0.7))?;
+    let hits = scene.cut(&points, &normals, &stage.part("cutting samples", 0.0, 0.7))?;
     let excess: Vec<f64> = hits.iter().map(|hit| hit.t).collect();
 
     let zone = options.excluded;
@@ -142,7 +139,7 @@ pub fn verify(
         .map(|s| s.normal == DVec3::ZERO || zone.is_some_and(|z| z.contains(s.point)))
         .collect();
     let mut field = Field::new(samples, hits, &excluded);
-    let search = Search { tolerance: options.sampling_tolerance, most: options.most_refined, size };
+    let search = Search { tolerance: options.sampling_tolerance, most: options.most_refined };
     let max =
         field.search(Sense::Excess, &scene, search, &stage.part("looking between the samples", 0.7, 0.9))?;
     let min =
