@@ -43,6 +43,11 @@ impl FaceObstacle {
         Self { face: face.clone(), grid, blocks, cell }
     }
 
+    /// Samples `face` densely enough for `cutter`: a quarter of its corner apart, within what a plan can afford.
+    pub fn for_cutter(face: &Face, cutter: &Cutter) -> Self {
+        Self::new(face, (0.25 * cutter.corner_radius).clamp(0.2, 1.0))
+    }
+
     /// Lowest and highest coordinates of the samples.
     pub fn bounds(&self) -> (DVec3, DVec3) {
         let first = self.grid.point(0, 0);

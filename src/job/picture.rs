@@ -2,6 +2,7 @@
 
 use super::error::JobError;
 use super::shape::Shape;
+use crate::geometry::FaceGrid;
 use crate::verify::Samples;
 
 /// Triangles to draw.
@@ -20,20 +21,28 @@ pub struct Picture {
 /// Vertices of a picture, about: what a phone draws without effort.
 const VERTICES: f64 = 40_000.0;
 
+/// A spacing larger than any part, mm.
+const BEYOND: f64 = 1e6;
+
 impl Shape {
     /// Samples of the shape that make a picture of it.
     pub(super) fn picture_samples(&self) -> Result<Samples, JobError> {
-        let coarse = self.samples(f64::INFINITY)?;
         match self {
-            Self::Face(_) => self.samples((coarse.area() / VERTICES).sqrt()),
-            Self::Mesh(_) => Ok(coarse),
+            Self::Face(face) => {
+                // The area to a few percent tells the spacing.
+                let grid = FaceGrid::new(face, f64::INFINITY, 48, 48);
+                let (nu, nv) = grid.size();
+                let cells = (0..nv - 1).flat_map(|j| (0..nu - 1).map(move |i| (i, j)));
+                let area: f64 = cells.map(|(i, j)| grid.cell_area(i, j)).sum();
+                self.samples((area / VERTICES).sqrt())
+            }
+            // A mesh is its own picture: no triangle needs cutting up.
+            Self::Mesh(_) => self.samples(BEYOND),
         }
     }
 
     /// Samples at most `spacing` mm apart.
     pub(super) fn samples(&self, spacing: f64) -> Result<Samples, JobError> {
-        // Beyond any part; a face then still gets its least grid.
-        let spacing = spacing.min(1e6);
         match self {
             Self::Face(face) => Samples::of_face(face, spacing),
             Self::Mesh(mesh) => Samples::of_mesh(mesh, spacing),

@@ -11,7 +11,7 @@ use crate::cutter::Cutter;
 use crate::geometry::{Along, Face, TriMesh, Zone};
 use crate::monitor::Stage;
 use crate::post::{self, Program};
-use crate::strategy::{self, Linked, Planned, RasterError, RasterOptions, Refuge};
+use crate::strategy::{self, LOOK, Linked, Planned, RasterError, RasterOptions, Refuge};
 use crate::toolpath::ClPoint;
 use crate::verify::{self, Options, Samples, Verification, VerifyError};
 use glam::DVec3;
@@ -172,12 +172,13 @@ fn on_face(spec: &Spec, face: &Face, cutter: &Cutter, stage: &Stage) -> Result<(
         }
     };
     let planned = Planned { passes: strategy::nearest_next(planned.passes, false), ..planned };
-    let how = spec.linking();
-    // Links may not touch at all, so samples need only be dense against the lift.
-    let obstacle = FaceObstacle::new(face, (0.5 * how.lift).clamp(0.2, 1.0));
+    let how = spec.linking(cutter);
+    let obstacle = FaceObstacle::for_cutter(face, cutter);
     let bounds = obstacle.bounds();
     let refuge = Refuge::around(bounds, cutter, how.clearance);
-    let is_clear = |cl: &_| obstacle.depth(cutter, cl, DVec3::INFINITY) >= 0.0;
+    // Larger by what the cutter moves between two looks, to either side of them.
+    let stout = Cutter { corner_radius: cutter.corner_radius + 0.5 * LOOK, ..*cutter };
+    let is_clear = |cl: &_| obstacle.depth(&stout, cl, DVec3::INFINITY) >= 0.0;
     let linked = strategy::link(&planned.passes, &how, &refuge, &is_clear);
     Ok((planned, linked))
 }
@@ -208,10 +209,10 @@ fn on_mesh(
         return Err(JobError::Strategy(why.into()));
     }
     let passes = strategy::nearest_next(raster.passes, order == OrderSpec::Zigzag);
-    let how = spec.linking();
+    let how = spec.linking(cutter);
     let top = mesh.bounds().map_or(0.0, |(_, high)| high.z);
     let (lowered, under) = (DropMesh::new(mesh), Underside::new(cutter));
-    let is_clear = |cl: &ClPoint| !is_in_mesh(&lowered, &under, cl.tip);
+    let is_clear = |cl: &ClPoint| !is_in_mesh(&lowered, &under, cl.tip - DVec3::Z * LOOK);
     let linked = strategy::link(&passes, &how, &Refuge::Above(top + how.clearance), &is_clear);
     Ok((Planned { passes, unreached: raster.unreached }, linked))
 }

@@ -57,11 +57,12 @@ impl Spec {
     }
 
     /// How passes are joined.
-    pub fn linking(&self) -> Linking {
+    pub fn linking(&self, cutter: &Cutter) -> Linking {
         Linking {
             cut_feed: self.feeds.cut_mm_per_min,
             plunge_feed: self.feeds.plunge_mm_per_min,
             lift: self.links.lift_mm,
+            lever: cutter.height,
             clearance: self.links.clearance_mm,
         }
     }

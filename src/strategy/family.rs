@@ -57,7 +57,7 @@ impl<'a> Family<'a> {
         let grid = FaceGrid::new(face, cell, 24, 1200);
         let (nu, nv) = grid.size();
         let lines = FieldGrid::new(face, field, grid);
-        let obstacle = FaceObstacle::new(face, obstacle_cell(cutter));
+        let obstacle = FaceObstacle::for_cutter(face, cutter);
         let domain = face.domain();
         let (low, high) = lines.range();
         let levels = parameter_range(&domain, field).unwrap_or(Range::open(low, high));
@@ -364,7 +364,8 @@ impl<'a> Family<'a> {
                 .map(|uv| (face.surface.point(uv), weight))
                 .collect::<Vec<_>>()
         })?;
-        let cube = self.setup.strip / FINE as f64;
+        // Grown by a cube, the zone takes in the half strip beside it where passes end.
+        let cube = 0.5 * self.setup.strip;
         Ok(Zone::from_samples(cube, found.into_iter().flatten()).grown())
     }
 }
@@ -414,9 +415,4 @@ fn probe_spacing(cutter: &Cutter, posture: Posture, finish: &Finish) -> f64 {
     let flat = crate::geometry::Curvature::default();
     let strip = crate::contact::second_order_strip_width(cutter, posture, &flat, finish.scallop);
     (0.5 * strip).clamp(0.1, 2.0)
-}
-
-/// Spacing of the obstacle's samples, mm: small against the corner, so that nothing it can touch hides between them.
-fn obstacle_cell(cutter: &Cutter) -> f64 {
-    (0.25 * cutter.corner_radius).clamp(0.2, 1.0)
 }

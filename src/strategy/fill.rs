@@ -9,8 +9,8 @@ use glam::DVec3;
 
 /// Halvings between two whole passes: at the last, partial passes lie a sixty-fourth of a step apart.
 const DEPTH: usize = 6;
-/// Halvings towards the rim of what the cutter cannot reach; an eighth of a step is left beside it at most.
-const RIM_DEPTH: usize = 3;
+/// Halvings towards the rim of what the cutter cannot reach; a quarter of a step is left beside it, which the zone takes in.
+const RIM_DEPTH: usize = 2;
 
 /// Columns between two neighbouring probes of a line that a partial pass must cover.
 #[derive(Debug, Clone, Copy)]

@@ -13,6 +13,8 @@ pub struct Linking {
     pub plunge_feed: f64,
     /// How far the cutter lifts along its axis before it crosses to the next pass, mm.
     pub lift: f64,
+    /// How far above its tip the cutter may meet the part, mm: what counts when the axis swings.
+    pub lever: f64,
     /// How far beyond everything it stays when it crosses in rapid, mm.
     pub clearance: f64,
 }
@@ -22,6 +24,11 @@ pub type IsClear<'a> = dyn Fn(&ClPoint) -> bool + Sync + 'a;
 
 /// Lifts tried for a crossing near the part, as multiples of the one asked for.
 const LIFTS: [f64; 4] = [1.0, 2.0, 4.0, 8.0];
+/// Cosine of the most that the axis may swing in a crossing near the part, 45°: its far end would sweep a wide arc.
+const LEAST_COSINE: f64 = 0.707;
+/// How far the cutter may move between two looks at a crossing near the part, mm. What is asked whether it is clear
+/// should keep half of it in hand.
+pub const LOOK: f64 = 0.2;
 /// Most moves of a crossing around the part.
 const ARC: usize = 24;
 
@@ -103,15 +110,21 @@ impl Refuge {
         let square = (to - from * (to.dot(from) / from.length_squared()))
             .try_normalize()
             .unwrap_or_else(|| from.normalize_or(DVec3::Z).any_orthonormal_vector());
-        let steps = ((angle / 0.2).ceil() as usize).clamp(1, ARC);
+        // Small enough steps that neither the place nor the axis swings far in one of them.
+        let turn = a.axis.angle_between(b.axis);
+        let steps = ((angle / 0.2).max(turn / 0.4).ceil() as usize).clamp(1, ARC);
         // Chords of the arc dip below it; its radius is raised so that they do not.
         let raise = 1.0 / libm::cos(0.5 * angle / steps as f64);
         let mut way: Vec<ClPoint> = (1..steps)
             .map(|k| {
                 let t = k as f64 / steps as f64;
                 let (s, c) = libm::sincos(angle * t);
-                let tip = center + (from * c + square * (from.length() * s)) * raise;
-                ClPoint { tip, axis: between(a, b, t).axis }
+                let out = from * c + square * (from.length() * s);
+                // Turned outwards on the way, so that the spindle never crosses the part: the outward share grows faster
+                // from both ends than the way round can turn the axes at the ends inwards.
+                let outward = out.normalize_or(DVec3::Z) * (4.0 * t * (1.0 - t));
+                let axis = (a.axis.lerp(b.axis, t) + outward).try_normalize().unwrap_or(a.axis);
+                ClPoint { tip: center + out * raise, axis }
             })
             .collect();
         way.push(b);
@@ -155,10 +168,12 @@ impl Linker<'_> {
         for lift in LIFTS.map(|times| times * self.how.lift) {
             let (above, over) = (raised(from, lift), raised(to, lift));
             // A long way is faster in rapid around the part than at feed over it.
-            if above.tip.distance(over.tip) > 10.0 * lift {
+            let swings = above.axis.dot(over.axis) < LEAST_COSINE;
+            if swings || above.tip.distance(over.tip) > 10.0 * lift {
                 continue;
             }
-            let looks = (above.tip.distance(over.tip) / (0.25 * self.how.lift)).ceil().max(1.0);
+            let swing = above.axis.angle_between(over.axis) * self.how.lever;
+            let looks = ((above.tip.distance(over.tip) + swing) / LOOK).ceil().max(1.0);
             let clear = |k: usize| is_clear(&between(above, over, k as f64 / looks));
             if (0..=looks as usize).all(clear) {
                 self.push(above, Rate::Feed(self.how.cut_feed), Role::Link);

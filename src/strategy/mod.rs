@@ -15,6 +15,6 @@ mod walk;
 pub use finish::{Finish, Order, Planned, StrategyError};
 pub use iso_parametric::iso_parametric;
 pub use iso_planar::iso_planar;
-pub use link::{IsClear, Linked, Linking, Refuge, link};
+pub use link::{IsClear, LOOK, Linked, Linking, Refuge, link};
 pub use order::nearest_next;
 pub use raster::{Raster, RasterError, RasterOptions, raster};

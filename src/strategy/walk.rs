@@ -1,8 +1,9 @@
 //! Stations along a level line, as far apart as the chord tolerance allows.
 
 use super::probe::{GOUGE, Setup};
-use crate::contact::contact_of;
-use crate::geometry::{IsoLine, Range, Uv};
+use crate::contact::{cl_of, contact_of};
+use crate::geometry::{Curvature, IsoLine, Range, Uv};
+use crate::math::frame::Frame;
 use crate::toolpath::{CcPoint, ClPoint, Pass, Station};
 
 /// A station on the line, and whether the cutter can stand there.
@@ -126,7 +127,8 @@ impl Walker<'_> {
             if run.len() > 1 && clear(&run[0]).is_some() {
                 let mut stations: Vec<Station> = run.iter().flatten().map(|at| at.station).collect();
                 if start == 0 {
-                    stations.splice(0..0, self.run_out(self.nodes[0], &stations[0], -1.0));
+                    let before = self.run_out(self.nodes[0], &stations[0], -1.0);
+                    stations.splice(0..0, before.into_iter().rev());
                 }
                 if start + run.len() == ats.len() {
                     let last = stations[stations.len() - 1];
@@ -139,10 +141,11 @@ impl Walker<'_> {
         passes
     }
 
-    /// The station beyond the border at an end of the line, straight on (`toward` +1) or back (−1): so far that the whole
-    /// width of the strip has run over the border, be that met aslant or the strip cut aslant by a yawed cutter. `None`
-    /// where the line does not end on a border, or the cutter would dig in.
-    fn run_out(&self, uv: Uv, end: &Station, toward: f64) -> Option<Station> {
+    /// The stations beyond the border at an end of the line, on (`toward` +1) or back (−1): so far that the whole width of
+    /// the strip has run over the border, be that met aslant or the strip cut aslant by a yawed cutter. They follow the
+    /// line as it would go on with the curvature that it ends with. None where the line does not end on a border, or the
+    /// cutter would dig in.
+    fn run_out(&self, uv: Uv, end: &Station, toward: f64) -> Vec<Station> {
         let domain = self.setup.face.domain();
         let jet = self.setup.face.jet(uv);
         let on = |range: &Range, x: f64| {
@@ -153,7 +156,7 @@ impl Walker<'_> {
         } else if on(&domain.v, uv.v) {
             jet.du
         } else {
-            return None;
+            return Vec::new();
         };
         let frame = end.cc.frame;
         // The border leans by the first, the strip by the second; where either is extreme, going all the way would cost
@@ -162,9 +165,19 @@ impl Walker<'_> {
         let strip_lean = libm::tan(end.cc.posture.yaw).abs();
         let lean = [border_lean, strip_lean].map(|l| if l < 6.0 { l } else { 0.0 });
         let way = self.setup.strip * (0.15 + 0.6 * (lean[0] + lean[1]));
-        let by = frame.f * (toward * way);
-        let cc = CcPoint { point: end.cc.point + by, ..end.cc };
-        let station = Station { cc, cl: ClPoint { tip: end.cl.tip + by, ..end.cl } };
-        self.setup.is_clear(&station).then_some(station)
+        let Some(k) = Curvature::of(&jet, &frame) else { return Vec::new() };
+        // As many moves as the chord of that curvature asks for.
+        let chord = (8.0 * self.setup.finish.chord.min(GOUGE) / k.ff.abs().max(1e-6)).sqrt();
+        let count = (way / chord).ceil().clamp(1.0, 64.0) as usize;
+        let beyond = |i: usize| {
+            let s = toward * way * i as f64 / count as f64;
+            let n = (frame.n - (frame.f * k.ff + frame.b * k.fb) * s).normalize();
+            let point = end.cc.point + frame.f * s + frame.n * (0.5 * k.ff * s * s);
+            let frame = Frame::from_normal(n, frame.f + frame.n * (k.ff * s))?;
+            let cc = CcPoint { point, frame, ..end.cc };
+            let station = Station { cc, cl: cl_of(self.setup.cutter, &cc) };
+            self.setup.is_clear(&station).then_some(station)
+        };
+        (1..=count).map_while(beyond).collect()
     }
 }

@@ -57,6 +57,10 @@ fn halved(body: &Body, piece: &Piece, line: &Line, left: u32) -> Option<Entry> {
     if middle.distance - nearer >= -TOUCH {
         return None;
     }
+    let line = &above_unless_inside(body, piece, line);
+    if line.from >= line.to {
+        return None;
+    }
     if left == 0 || 4.0 * piece.sag(middle.lever + span + 0.5 * piece.length()) <= MISS {
         return first_entry(body, piece, line, &middle);
     }
@@ -71,6 +75,19 @@ fn halved(body: &Body, piece: &Piece, line: &Line, left: u32) -> Option<Entry> {
         }
     }
     found
+}
+
+/// The line from its own point upwards, unless the body holds that point at some time of the piece.
+///
+/// A body that lies wholly below the point cuts nothing of the surface there: it stands behind a wall, or beyond an edge.
+/// If it went there through the part, it cut the surface where it went in.
+fn above_unless_inside(body: &Body, piece: &Piece, line: &Line) -> Line {
+    if line.from >= 0.0 {
+        return *line;
+    }
+    let (_, here) = closest(body, piece, line, 0.0, 0.5, -TOUCH);
+    // A turning body may hold the point between the times looked at, by as much as the search may miss.
+    if here.distance < MISS { *line } else { Line { from: 0.0, ..*line } }
 }
 
 /// The first entry during `piece`, which looks like `middle` from the upper end at half time.
