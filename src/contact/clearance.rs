@@ -3,6 +3,7 @@
 use super::body::Body;
 use crate::cutter::Cutter;
 use crate::geometry::{Face, FaceGrid, Uv};
+use crate::math::frame::Frame;
 use crate::toolpath::ClPoint;
 use glam::DVec3;
 
@@ -24,6 +25,9 @@ struct Block {
     j: (usize, usize),
     children: Vec<Block>,
 }
+
+/// Points on a ring around a contact: along and across the feed and between.
+const RING: usize = 8;
 
 /// Nodes a side of a small block, and small blocks a side of a large one: an 8 × 8 × 8 × 8 tree holds a 64 × 64 grid.
 const SIDE: usize = 8;
@@ -81,6 +85,24 @@ impl FaceObstacle {
                         deepest = deepest.min(self.descend(&body, i, j, here, contact));
                     }
                 }
+            }
+        }
+        deepest
+    }
+
+    /// How deep the cutter at `cl` reaches into the face right beside its contact at `uv`, in the neighbourhood that
+    /// [`FaceObstacle::depth`] leaves out, mm: 0 or negative, as found on two rings around the contact.
+    pub fn depth_beside(&self, cutter: &Cutter, cl: &ClPoint, uv: Uv, frame: &Frame) -> f64 {
+        let body = Body::new(cutter, cl);
+        let domain = self.face.domain();
+        let jet = self.face.jet(uv);
+        let mut deepest = 0.0f64;
+        for radius in [0.4, 1.0].map(|share| share * self.cell) {
+            for k in 0..RING {
+                let (s, c) = libm::sincos(std::f64::consts::TAU * k as f64 / RING as f64);
+                let Some((du, dv)) = jet.pull_back((frame.f * c + frame.b * s) * radius) else { continue };
+                let beside = domain.clamp(Uv::new(uv.u + du, uv.v + dv));
+                deepest = deepest.min(body.distance(self.face.surface.point(beside)));
             }
         }
         deepest

@@ -63,7 +63,7 @@ pub fn inspect(name: &str, bytes: &[u8]) -> Result<Inspection, JobError> {
     Ok(Inspection { format, unit, warnings, faces })
 }
 
-/// Factors that bring a grid of heights to 100 mm across, with a height of at most a quarter of that. A grid that is not
+/// Factors that bring a grid of heights to 100 mm across, with a height of 8 mm. A grid that is not
 /// much higher than wide is taken for one in real units.
 fn handy((low, high): (glam::DVec3, glam::DVec3)) -> [f64; 3] {
     let size = high - low;
@@ -74,7 +74,7 @@ fn handy((low, high): (glam::DVec3, glam::DVec3)) -> [f64; 3] {
     // Two digits: a person reads and changes them. Text of a finite number reads back.
     let round = |x: f64| format!("{x:.1e}").parse().unwrap_or(1.0);
     let flat = round(100.0 / across);
-    [flat, flat, round(25.0 / size.z)]
+    [flat, flat, round(8.0 / size.z)]
 }
 
 fn describe(summary: &Summary) -> (&'static str, String, (glam::DVec3, glam::DVec3)) {

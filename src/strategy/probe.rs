@@ -64,7 +64,14 @@ impl Setup<'_> {
         Some(Station { cc, cl: cl_of(self.cutter, &cc) })
     }
 
-    /// Whether the cutter at `station` reaches into the face nowhere.
+    /// Whether the cutter at `station`, which stands at `uv`, reaches into the face nowhere: neither beside its contact
+    /// nor anywhere else.
+    pub(super) fn fits(&self, station: &Station, uv: Uv) -> bool {
+        let (cl, frame) = (&station.cl, &station.cc.frame);
+        self.obstacle.depth_beside(self.cutter, cl, uv, frame) >= -GOUGE && self.is_clear(station)
+    }
+
+    /// Whether the cutter at `station` reaches into the face nowhere but beside its contact.
     pub(super) fn is_clear(&self, station: &Station) -> bool {
         self.obstacle.depth(self.cutter, &station.cl, station.cc.point) >= -GOUGE
     }
@@ -83,7 +90,7 @@ impl Setup<'_> {
         let strip = face_strip(self.face, self.cutter, &cc, uv, spin, limits)?;
         let gouges = matches!(strip.left, Edge::Gouge(_)) || matches!(strip.right, Edge::Gouge(_));
         let station = Station { cc, cl: cl_of(self.cutter, &cc) };
-        (!gouges && self.is_clear(&station)).then_some(strip)
+        (!gouges && self.fits(&station, uv)).then_some(strip)
     }
 
     /// What the cutter does at `uv`.
