@@ -56,7 +56,7 @@ export function fieldsOf(group, spec) {
  * @param {string} shape 'surface' or 'mesh'
  */
 export function fitting(group, shape) {
-  return (group.variants ?? []).filter((variant) => !variant.for || variant.for.includes(shape));
+  return (group.variants ?? []).filter(({ for: shapes }) => !shapes?.length || shapes.includes(shape));
 }
 
 /**

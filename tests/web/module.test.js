@@ -5,12 +5,23 @@ import { mkdtempSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
+import { brotliCompressSync, gzipSync } from 'node:zlib';
 import init, * as planner from '../../www/wasm/stepover.js';
 
 const wasm = new URL('../../www/wasm/stepover_bg.wasm', import.meta.url);
 await init({ module_or_path: readFileSync(wasm) });
 
 const command = process.env.STEPOVER ?? 'target/debug/stepover';
+
+/** What a visitor on a slow line has to wait for, bytes as hosts send them. */
+const MOST_BYTES = 350 * 1024;
+
+test('the module is small enough to wait for', (context) => {
+  const bytes = readFileSync(wasm);
+  const sent = brotliCompressSync(bytes).length;
+  context.diagnostic(`${bytes.length} bytes, ${gzipSync(bytes).length} as gzip, ${sent} as brotli`);
+  assert.ok(sent <= MOST_BYTES);
+});
 
 /** What the command line writes for a spec, by file ending. */
 function native(spec) {

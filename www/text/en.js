@@ -34,8 +34,8 @@ export default {
   'gallery.wave.about': 'Hollows and crests',
   'gallery.blade': 'Blade',
   'gallery.blade.about': 'Twisted, almost flat',
-  'gallery.lens': 'Lens mould',
-  'gallery.lens.about': 'Hollow, two radii',
+  'gallery.lens': 'Lens',
+  'gallery.lens.about': 'Hollow, of two radii',
 
   'unit.mm': 'mm',
   'unit.cm': 'cm',

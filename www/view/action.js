@@ -27,12 +27,12 @@ export function createAction(root, { onPlan, onCancel }) {
     cancel,
   );
   root.append(busy, plan);
-  let wasPlanning = false;
 
   return {
     /** @param {State} state */
     update({ job, draft, planned, outcome }) {
       const planning = job?.op === 'plan';
+      const hadFocus = document.activeElement;
       busy.hidden = !planning;
       // Whoever changes a setting meanwhile need not wait for what is out of date.
       plan.hidden = planning && job.draft === draft;
@@ -45,9 +45,8 @@ export function createAction(root, { onPlan, onCancel }) {
         bar.value = job.fraction;
       }
       // The keyboard stays where the eye is when one button takes the other's place.
-      if (planning && !wasPlanning && document.activeElement === document.body) cancel.focus();
-      if (!planning && wasPlanning && document.activeElement === document.body) plan.focus();
-      wasPlanning = planning;
+      if (hadFocus === plan && plan.hidden) cancel.focus();
+      if (hadFocus === cancel && busy.hidden) plan.focus();
     },
   };
 }

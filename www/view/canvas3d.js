@@ -19,7 +19,7 @@ import { createCutterModel } from './cutter-model.js';
 import { h } from './dom.js';
 import { createGround } from './ground.js';
 import { createOtherFaces } from './other-faces.js';
-import { createPathLines, locate } from './path-lines.js';
+import { createPathLines, lastCut, locate } from './path-lines.js';
 import { createSurfaceMesh } from './surface-mesh.js';
 import { createZones } from './zones.js';
 
@@ -154,7 +154,9 @@ export function createCanvas3d(root, { onFace }) {
       cutter.show(false);
       return;
     }
-    const { point, tip, axis } = locate(outcome.path, at);
+    // With the whole path shown, the cutter stands where it last cut rather than far above.
+    const place = at >= 1 ? lastCut(outcome.path) : at;
+    const { point, tip, axis } = locate(outcome.path, place);
     path.upTo(at >= 1 ? Infinity : point);
     cutter.place(tip, axis);
     cutter.show(layers.cutter);

@@ -161,6 +161,14 @@ function countUpTo(list, point) {
   return low;
 }
 
+/** The share of the path at which the last pass ends. @param {Float32Array} path */
+export function lastCut(path) {
+  let point = path.length / STRIDE - 1;
+  const all = path[point * STRIDE + LENGTH];
+  while (point > 0 && path[point * STRIDE + KIND] !== 0) point -= 1;
+  return all > 0 ? path[point * STRIDE + LENGTH] / all : 1;
+}
+
 /**
  * Where the cutter is after a share of the path: the point reached last, and tip and axis between it and the next.
  *

@@ -35,7 +35,7 @@ export function createSource(root, { onPick, onFiles, onFace, onUnit, onSide, li
   });
   const open = h(
     'button',
-    { type: 'button', class: 'open', onclick: () => picker.click() },
+    { type: 'button', class: 'open', name: 'open', onclick: () => picker.click() },
     icon('open'),
     t('action.open'),
   );

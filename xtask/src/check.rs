@@ -15,12 +15,11 @@ struct Suite {
     run: fn() -> Result<Outcome>,
 }
 
-const SUITES: [Suite; 9] = [
+const SUITES: [Suite; 8] = [
     Suite { id: "format", name: "Rust format", dialect: Dialect::Whole, run: format },
     Suite { id: "lint", name: "Rust lints, native", dialect: Dialect::Whole, run: lint },
     Suite { id: "lint-wasm", name: "Rust lints, WebAssembly", dialect: Dialect::Whole, run: lint_wasm },
     Suite { id: "native", name: "Native tests", dialect: Dialect::Cargo, run: native },
-    Suite { id: "size", name: "Size of the WebAssembly module", dialect: Dialect::Whole, run: size },
     Suite { id: "module", name: "WebAssembly module in Node", dialect: Dialect::Node, run: module },
     Suite { id: "style", name: "Page format and lints", dialect: Dialect::Whole, run: style },
     Suite { id: "types", name: "Page types", dialect: Dialect::Whole, run: types },
@@ -78,13 +77,6 @@ fn native() -> Result<Outcome> {
 fn each_package(command: fn(&'static str) -> Call) -> Result<Outcome> {
     let (product, task) = (command("stepover").tee()?, command("xtask").tee()?);
     Ok(Outcome { success: product.success && task.success, output: product.output + &task.output })
-}
-
-fn size() -> Result<Outcome> {
-    wasm::build()?;
-    let output = wasm::check_size()?;
-    println!("{output}");
-    Ok(Outcome { success: true, output })
 }
 
 fn module() -> Result<Outcome> {

@@ -1,16 +1,12 @@
 //! The WebAssembly module and its JavaScript.
 
 use crate::shell::{self, root};
-use anyhow::{Context, Result, bail};
-use std::io::Write;
+use anyhow::{Context, Result};
 use std::path::PathBuf;
 use wasm_bindgen_cli_support::Bindgen;
 
 /// The target that browsers run.
 pub const TARGET: &str = "wasm32-unknown-unknown";
-
-/// What the module may weigh on the wire, bytes after gzip: a visitor on a slow line waits for all of it.
-const LIMIT: usize = 350 * 1024;
 
 /// Where the page looks for the module.
 pub fn folder() -> PathBuf {
@@ -32,30 +28,6 @@ pub fn build() -> Result<()> {
         .remove_producers_section(true)
         .generate(folder())
         .context("making the module's JavaScript")
-}
-
-/// The module's size and its size after gzip, bytes.
-pub fn size() -> Result<(usize, usize)> {
-    let path = folder().join("stepover_bg.wasm");
-    let bytes = std::fs::read(&path).with_context(|| format!("reading {}", path.display()))?;
-    let mut packer = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::best());
-    packer.write_all(&bytes)?;
-    Ok((bytes.len(), packer.finish()?.len()))
-}
-
-/// A line that states the module's size; an error if it is above the limit.
-pub fn check_size() -> Result<String> {
-    let (raw, packed) = size()?;
-    let line = format!(
-        "WebAssembly module: {} KB, {} KB after gzip (limit {} KB)",
-        raw / 1024,
-        packed / 1024,
-        LIMIT / 1024
-    );
-    if packed > LIMIT {
-        bail!("{line}");
-    }
-    Ok(line)
 }
 
 /// Makes sure that Rust can compile for the browser.
