@@ -72,6 +72,7 @@ const source = createSource(place('source'), {
   onFiles: open,
   onFace: (index) => editSource('face', index),
   onUnit: (unit) => editSource('unit', unit),
+  onScale: (scale) => editSource('scale', scale),
   onSide: () => editSource('side', state.get().draft?.spec.source.side === 'back' ? 'front' : 'back'),
   limit: LARGEST_FILE,
 });
@@ -130,7 +131,9 @@ function editSource(name, value) {
   const { draft, schema, layers } = state.get();
   if (!draft || !schema) return;
   const spec = write(draft.spec, `source.${name}`, value);
-  state.edit(withFittingVariants(schema, { ...draft, spec }), '');
+  // Factors are typed digit by digit: one step of undo.
+  const what = name === 'scale' ? 'source.scale' : '';
+  state.edit(withFittingVariants(schema, { ...draft, spec }), what);
   // Whoever turns the side wants to see it.
   if (name === 'side') state.set({ layers: { ...layers, side: true } });
 }

@@ -49,8 +49,12 @@ export function createOpener(planner, state, { onDraft, onComplaint, onError }) 
       onComplaint(t('error.no_face', { name: file.name }));
       return;
     }
+    const scale = info.faces[0].suggested_scale;
+    // A factor of 1 goes without saying.
+    const scaled = scale?.some((/** @type {number} */ factor) => factor !== 1) ? { scale } : {};
     const fresh = {
       kind: 'file',
+      ...scaled,
       path: file.name,
       face: info.faces[0].index,
       unit: info.unit,

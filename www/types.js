@@ -9,7 +9,7 @@
  *
  * @typedef {{ version: number, name: string, source: any, [group: string]: any }} Spec
  * @typedef {{ id: string, spec: Spec }} GalleryItem
- * @typedef {{ index: number, name: string, kind: string, detail?: string,
+ * @typedef {{ index: number, name: string, kind: string, detail?: string, suggested_scale?: number[],
  *   bounds_mm: [number[], number[]] }} Face
  * @typedef {{ format: string, unit: string | null, warnings: string[], faces: Face[] }} Inspection
  *

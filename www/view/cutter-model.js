@@ -26,9 +26,10 @@ export function createCutterModel() {
       shown = outline;
       mesh.geometry.dispose();
       const points = outline ? pairs(outline) : [];
-      const top = points[points.length - 1]?.[1] ?? 0;
+      const last = points[points.length - 1];
+      const closed = last ? [...points, [0, last[1]]] : [];
       mesh.geometry = new LatheGeometry(
-        [...points, [0, top]].map(([radius, z]) => new Vector2(radius, z)),
+        closed.map(([radius, z]) => new Vector2(radius, z)),
         SIDES,
       );
     },
