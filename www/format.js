@@ -62,6 +62,7 @@ export function minutes(minutes) {
 
 /** @param {number} count */
 export function bytes(count) {
+  if (count < 1000) return `${fixed(count, 0)}${SPACE}B`;
   return count < 1e6
     ? `${fixed(count / 1e3, 0)}${SPACE}kB`
     : `${fixed(count / 1e6, count < 1e8 ? 1 : 0)}${SPACE}MB`;

@@ -114,6 +114,7 @@ export default {
   'results.proof.high': 'Above {limit} in places',
   'results.proof.deep': 'Gouges deeper than the chord deviation, {limit}',
   'results.proof.uncut': '{limit} left uncut',
+  'results.proof.running': 'The emitted program is being cut in simulation…',
   'results.proof.none': 'Not verified',
   'results.excess': 'Largest excess',
   'results.gouge': 'Largest gouge',

@@ -27,9 +27,16 @@ export function createCamera(canvas, onChange) {
   const size = { width: 1, height: 1 };
   /** The standard view in force, until somebody turns the picture. */
   let standing = 'iso';
+  let isDown = false;
   controls.addEventListener('start', () => {
     standing = '';
   });
+
+  /** The oblique view is from the side that is cut. @param {string} view */
+  function direction(view) {
+    const [x, y, z] = FROM[view];
+    return new Vector3(x, y, view === 'iso' && isDown ? -z : z);
+  }
 
   /** Looks along a direction from as near as the whole box allows. @param {Vector3} from */
   function fit(from) {
@@ -107,8 +114,9 @@ export function createCamera(canvas, onChange) {
   return {
     camera,
 
-    /** Names the box that views show. @param {Box3} next */
-    frame(next) {
+    /** Names the box that views show, and whether what is cut looks down. @param {Box3} next @param {boolean} down */
+    frame(next, down) {
+      isDown = down;
       if (!next.isEmpty()) box.copy(next);
     },
 
@@ -116,7 +124,7 @@ export function createCamera(canvas, onChange) {
     look(view) {
       const from = FROM[view];
       standing = from ? view : '';
-      fit(from ? new Vector3(...from) : camera.position.clone().sub(controls.target));
+      fit(from ? direction(view) : camera.position.clone().sub(controls.target));
     },
 
     /** @param {number} width @param {number} height */
@@ -124,7 +132,7 @@ export function createCamera(canvas, onChange) {
       Object.assign(size, { width, height });
       camera.aspect = width / height;
       camera.updateProjectionMatrix();
-      if (standing) fit(new Vector3(...FROM[standing]));
+      if (standing) fit(direction(standing));
     },
   };
 }

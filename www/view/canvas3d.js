@@ -122,7 +122,7 @@ export function createCanvas3d(root, { onFace }) {
     const isNew = surface.set(picture);
     if (isNew && picture) {
       ground.set(surface.box);
-      view.frame(surface.box);
+      view.frame(surface.box, looksDown(picture));
       // Another surface is looked at afresh; a new plan of the same one leaves the eye where it is.
       const place = [surface.box.min, surface.box.max]
         .map((p) => p.toArray().map((x) => x.toPrecision(3)))
@@ -177,4 +177,11 @@ export function createCanvas3d(root, { onFace }) {
     /** @param {string} name 'fit', 'iso', 'top' or 'front'. */
     look: (name) => view.look(name),
   };
+}
+
+/** Whether the side that is cut looks down on the whole. @param {import('../types.js').Picture} picture */
+function looksDown({ normals }) {
+  let sum = 0;
+  for (let i = 2; i < normals.length; i += 3) sum += normals[i];
+  return sum < -0.1 * (normals.length / 3);
 }

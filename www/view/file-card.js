@@ -114,7 +114,7 @@ export function createFileCard(root, { onFace, onUnit, onScale }) {
     /** @param {State} state */
     update({ draft }) {
       const info = draft?.source.info ?? null;
-      if (!draft || !draft.source.bytes || !info) {
+      if (!draft?.source.bytes || !info) {
         shownInfo = null;
         root.replaceChildren();
         return;

@@ -16,23 +16,27 @@ export function createResults(root) {
   root.append(stale, empty, body);
   /** @type {Outcome | null} */
   let shown = null;
+  let wasProving = false;
 
   return {
     /** @param {State} state */
-    update({ outcome, draft, planned }) {
+    update({ outcome, draft, planned, job }) {
       empty.hidden = outcome !== null;
       body.hidden = outcome === null;
       stale.hidden = outcome === null || draft === planned;
       root.classList.toggle('old', !stale.hidden);
-      if (outcome && outcome !== shown)
-        body.replaceChildren(...figures(outcome, planned?.spec.tolerance?.chord_mm ?? 0));
+      const isProving = job?.op === 'plan' && job.draft === planned;
+      if (outcome && (outcome !== shown || isProving !== wasProving)) {
+        body.replaceChildren(...figures(outcome, planned?.spec.tolerance?.chord_mm ?? 0, isProving));
+      }
+      wasProving = isProving;
       shown = outcome;
     },
   };
 }
 
-/** @param {Outcome} outcome @param {number} chord The deepest gouge that was allowed, millimetres. */
-function figures({ report, seconds, proofSeconds }, chord) {
+/** @param {Outcome} outcome @param {number} chord The deepest gouge that was allowed, millimetres. @param {boolean} isProving */
+function figures({ report, seconds, proofSeconds }, chord, isProving) {
   const missed = report.unreachable.area_mm2;
   const reached = report.area_mm2 > 0 ? Math.max(0, 1 - missed / report.area_mm2) : 1;
   return [
@@ -43,7 +47,7 @@ function figures({ report, seconds, proofSeconds }, chord) {
       pair(t('results.passes'), format.count(report.passes), 'passes'),
       pair(t('results.machining'), format.minutes(report.time_min), 'time'),
     ),
-    proof(report, chord),
+    proof(report, chord, isProving),
     table(t('results.surface'), [
       ['reached', t('results.reached'), format.percent(reached)],
       ['unreachable', t('results.unreachable'), format.area(missed)],
@@ -71,10 +75,13 @@ function figures({ report, seconds, proofSeconds }, chord) {
   ].filter((node) => node !== false);
 }
 
-/** @param {Report} report @param {number} chord */
-function proof({ verified, scallop_mm }, chord) {
+/** @param {Report} report @param {number} chord @param {boolean} isProving */
+function proof({ verified, scallop_mm }, chord, isProving) {
   const title = h('h3', {}, t('results.proof'));
-  if (!verified) return h('section', { class: 'proof' }, title, t('results.proof.none'));
+  if (!verified) {
+    const text = t(isProving ? 'results.proof.running' : 'results.proof.none');
+    return h('section', { class: 'proof' }, title, h('p', { class: 'help' }, text));
+  }
   const [id, limit] = verdict(verified, scallop_mm, chord);
   return h(
     'section',

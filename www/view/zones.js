@@ -5,7 +5,7 @@ import { BoxGeometry, Color, InstancedMesh, Matrix4, MeshStandardMaterial } from
 const MOST = 60_000;
 
 export function createZones() {
-  const material = new MeshStandardMaterial({ roughness: 0.9, transparent: true, opacity: 0.75 });
+  const material = new MeshStandardMaterial({ roughness: 0.9, transparent: true, opacity: 0.5 });
   let cubes = new InstancedMesh(new BoxGeometry(1, 1, 1), material, 0);
   /** @type {Float32Array | null} */
   let shown = null;
