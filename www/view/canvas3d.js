@@ -4,9 +4,9 @@
  * @import { State } from '../types.js'
  */
 import {
+  AmbientLight,
   Color,
   DirectionalLight,
-  HemisphereLight,
   Raycaster,
   Scene,
   SRGBColorSpace,
@@ -47,7 +47,7 @@ export function createCanvas3d(root, { onFace }) {
   const ground = createGround();
   const view = createCamera(canvas, draw);
   // Lights travel with the eye: whatever is looked at is lit from above the left shoulder.
-  const sky = new HemisphereLight(0xffffff, 0x7d838c, 1.1);
+  const sky = new AmbientLight(0xffffff, 1.15);
   const key = new DirectionalLight(0xffffff, 2.4);
   key.position.set(-0.6, 0.9, 1);
   view.camera.add(key);
@@ -73,6 +73,8 @@ export function createCanvas3d(root, { onFace }) {
     scheduled = true;
     requestAnimationFrame(() => {
       scheduled = false;
+      // From below, the grid would lie between the eye and the surface.
+      ground.grid.visible = view.camera.position.z > ground.height();
       renderer.render(scene, view.camera);
     });
   }

@@ -18,8 +18,13 @@ export function createGround() {
     new LineBasicMaterial({ transparent: true, opacity: 0.5 }),
   );
 
+  let z = 0;
+
   return {
     grid,
+
+    /** Where the grid lies, millimetres along z. */
+    height: () => z,
 
     /** Lays the grid under a box; returns the width of a square, millimetres. @param {Box3} box */
     set(box) {
@@ -28,7 +33,7 @@ export function createGround() {
       if (box.isEmpty()) return 0;
       const size = box.getSize(new Vector3());
       const square = roundStep(Math.max(size.x, size.y, size.z) / SQUARES);
-      const z = box.min.z - Math.max(0.06 * Math.max(size.x, size.y), 0.2 * square);
+      z = box.min.z - Math.max(0.06 * Math.max(size.x, size.y), 0.2 * square);
       const [x0, x1] = [Math.floor(box.min.x / square) - 1, Math.ceil(box.max.x / square) + 1];
       const [y0, y1] = [Math.floor(box.min.y / square) - 1, Math.ceil(box.max.y / square) + 1];
       const lines = [];
