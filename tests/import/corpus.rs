@@ -204,7 +204,12 @@ fn every_file_gives_what_its_row_says() {
 fn every_file_has_a_row() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data");
     for entry in std::fs::read_dir(folder).unwrap() {
-        let name = entry.unwrap().file_name().into_string().unwrap();
+        let entry = entry.unwrap();
+        // Folders hold other tests' tables.
+        if entry.file_type().unwrap().is_dir() {
+            continue;
+        }
+        let name = entry.file_name().into_string().unwrap();
         let known = CORPUS.iter().any(|(file, _)| *file == name) || name.ends_with(".md");
         assert!(known, "tests/data/{name} has no row in the corpus");
     }

@@ -1,3 +1,5 @@
+//! Splines against closed forms, differences and their own invariances.
+
 use super::*;
 use glam::{DAffine3, DMat3};
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};
