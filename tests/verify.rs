@@ -154,7 +154,7 @@ fn ball_in_a_hollow_cylinder_leaves_the_closed_form() {
     let samples = Samples::of_face(&Face::new(hollow, Side::Back), 0.15).unwrap();
     let v = judge(&cutter, &path, &samples, &Options::for_height(exact, &cutter));
     assert!(max(&v) <= exact + 1e-9 && exact <= max(&v) + v.statistics.excess_error, "{} {exact}", max(&v));
-    assert!(v.statistics.excess_error <= exact / 20.0);
+    assert!(v.statistics.excess_error <= exact / 10.0);
     assert!(min(&v) > -1e-9);
 }
 
@@ -192,7 +192,7 @@ fn a_leaning_cutter_that_was_not_lifted_digs_in_with_its_rim() {
     let deep = cutter.center_radius * libm::sin(lean) + 2.0 * (1.0 - libm::cos(lean));
     let s = &v.statistics;
     assert!(-min(&v) <= deep + 1e-9 && deep <= -min(&v) + s.gouge_error + 1e-9, "{} {deep}", min(&v));
-    assert!(s.gouge_error <= 0.0005);
+    assert!(s.gouge_error <= 0.001);
     // Deeper than there is material by the caller's word: reported as that deep.
     let shallow = Options { depth: 0.1, ..Options::for_height(0.01, &cutter) };
     assert_eq!(min(&judge(&cutter, &path([location(5.0), location(10.0)]), &samples, &shallow)), -0.1);
@@ -339,6 +339,34 @@ fn finer_samples_stay_within_the_promise() {
         assert!(max(&v) <= max(&fine) + fine.statistics.excess_error + 1e-9, "{spacing}");
         assert!(min(&fine) >= min(&v) - s.gouge_error - 1e-9, "{spacing}: {} {}", min(&fine), min(&v));
     }
+}
+
+#[test]
+fn links_far_away_change_nothing() {
+    let cutter = Cutter::bull_nose(6.0, 1.5, 30.0).unwrap();
+    let short = raster(&cutter, [0.0, 12.0], &[0.0, 1.5, 3.0, 4.5], 0.4, 0.2);
+    // At each end of a line out along the axis, a quarter round the part leaning away from it, and back.
+    let mut long = Toolpath::default();
+    for step in &short.moves {
+        long.moves.push(*step);
+        if step.to.tip.z > 3.0 {
+            let at = |tip: DVec3, axis: DVec3| Move {
+                to: ClPoint { tip, axis: axis.normalize() },
+                rate: Rate::Rapid,
+                role: Role::Link,
+            };
+            let out = at(step.to.tip + step.to.axis * 150.0, step.to.axis);
+            let aside = at(DVec3::new(150.0, 40.0, 60.0), DVec3::new(1.0, 0.3, 0.2));
+            long.moves.extend([out, aside, out, *step]);
+        }
+    }
+    let samples = Samples::of_face(&rectangle([0.0, 12.0], [0.0, 4.5]), 0.2).unwrap();
+    let options = Options { search: 0.5, ..Options::for_height(0.05, &cutter) };
+    let [short, long] = [short, long].map(|path| judge(&cutter, &path, &samples, &options));
+    for (a, b) in short.excess.iter().zip(&long.excess) {
+        assert!((a - b).abs() < 1e-9, "{a} {b}");
+    }
+    assert!((max(&short) - max(&long)).abs() < 1e-9 && (min(&short) - min(&long)).abs() < 1e-9);
 }
 
 #[test]

@@ -36,17 +36,15 @@ const UNBOUNDED: f64 = 1e6;
 /// *Gouge.* At the deepest place the cutter is tangent to the surface and holds a ball that touches there; within the
 /// distance `ρ` of the nearest corner (at most the longest edge over √3) the ball rises by no more than `ρ²/2r`-ish.
 ///
+/// Where that does not suffice, [`Scene::spares`](super::cut::Scene::spares) asks the whole motion.
+///
 /// Both take the surface between the corners as bent no more than twice what the corners' normals show. Infinite for a
 /// sharp cutter (`round` = 0): its edge may leave or cut anything between two samples.
 pub(super) fn bound(sense: Sense, samples: [&Sample; 3], hits: [&Hit; 3], round: f64) -> f64 {
     if round <= 0.0 {
         return f64::INFINITY;
     }
-    let edges = [(0, 1), (1, 2), (2, 0)];
-    let length = |(i, j): (usize, usize)| samples[i].point.distance(samples[j].point);
-    // A bow over a chord L with the turn φ is L φ/8 high.
-    let bow = |e: (usize, usize)| 0.25 * length(e) * samples[e.0].normal.distance(samples[e.1].normal);
-    let bent = edges.into_iter().map(bow).fold(0.0, f64::max);
+    let bent = bow(samples);
     match sense {
         Sense::Excess => {
             let entry = |c: usize, k: usize| {
@@ -54,10 +52,10 @@ pub(super) fn bound(sense: Sense, samples: [&Sample; 3], hits: [&Hit; 3], round:
             };
             let table = std::array::from_fn(|c| std::array::from_fn(|k| entry(c, k).min(UNBOUNDED)));
             let most = highest_lowest(&table);
-            if most >= UNBOUNDED { f64::INFINITY } else { most + bent }
+            if most >= 1e-3 * UNBOUNDED { f64::INFINITY } else { most + bent }
         }
         Sense::Gouge => {
-            let away = edges.into_iter().map(length).fold(0.0, f64::max) / 3.0_f64.sqrt();
+            let away = EDGES.into_iter().map(|e| length(samples, e)).fold(0.0, f64::max) / 3.0_f64.sqrt();
             if away >= round {
                 return f64::INFINITY;
             }
@@ -65,6 +63,21 @@ pub(super) fn bound(sense: Sense, samples: [&Sample; 3], hits: [&Hit; 3], round:
             hits.iter().map(|hit| -hit.t).fold(f64::NEG_INFINITY, f64::max) + rise + bent
         }
     }
+}
+
+const EDGES: [(usize, usize); 3] = [(0, 1), (1, 2), (2, 0)];
+
+fn length(samples: [&Sample; 3], (i, j): (usize, usize)) -> f64 {
+    samples[i].point.distance(samples[j].point)
+}
+
+/// How far the surface between three samples may be from their plane, taken as bent no more than twice what their
+/// normals show.
+pub(super) fn bow(samples: [&Sample; 3]) -> f64 {
+    // A bow over a chord L with the turn φ is L φ/8 high.
+    let over =
+        |e: (usize, usize)| 0.25 * length(samples, e) * samples[e.0].normal.distance(samples[e.1].normal);
+    EDGES.into_iter().map(over).fold(0.0, f64::max)
 }
 
 /// Where the sample's line first enters a ball; infinite if it does not.

@@ -19,6 +19,9 @@ pub(super) struct Cell {
     top: f64,
 }
 
+/// A part with less than one in so many counts as nearly empty: trees stay less than ten times deeper than balanced ones.
+const LOPSIDED: usize = 8;
+
 /// How a body looks from [`Cell::place`].
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Seen {
@@ -33,10 +36,14 @@ pub(super) struct Seen {
 }
 
 impl Cell {
-    pub(super) fn around<'a>(lines: impl ExactSizeIterator<Item = &'a Line> + Clone) -> Self {
-        let (points, directions) =
-            lines.clone().fold((DVec3::ZERO, DVec3::ZERO), |(p, d), l| (p + l.point, d + l.direction));
-        let centre = points / lines.len().max(1) as f64;
+    pub(super) fn around<'a>(lines: impl Iterator<Item = &'a Line> + Clone) -> Self {
+        let (mut points, mut directions, mut count) = (DVec3::ZERO, DVec3::ZERO, 0.0_f64);
+        for line in lines.clone() {
+            points += line.point;
+            directions += line.direction;
+            count += 1.0;
+        }
+        let centre = points / count.max(1.0);
         let direction = directions.normalize_or(DVec3::Z);
         let mut cell = Self {
             centre,
@@ -60,6 +67,13 @@ impl Cell {
         Self { spread: spread.sqrt(), radius: radius.sqrt(), ..cell }
     }
 
+    /// The cell with the lines of a surface between the given ones too, whose points are up to `bow` beside what those span
+    /// and whose directions spread twice as far.
+    #[must_use]
+    pub(super) fn between(self, bow: f64) -> Self {
+        Self { radius: self.radius + bow, height: self.height + bow, spread: 2.0 * self.spread, ..self }
+    }
+
     /// From where bodies are looked at: the middle of the lines' upper ends.
     pub(super) fn place(&self) -> DVec3 {
         self.centre + self.direction * self.top
@@ -70,22 +84,40 @@ impl Cell {
         self.radius + self.height + self.top.abs() * self.spread
     }
 
+    /// How far it is from `aside`, a place beside the middle, along the unit vector `way` to the cell's rim.
+    pub(super) fn reach(&self, aside: DVec3, way: DVec3) -> f64 {
+        let along = aside.dot(way);
+        let beyond = along * along + self.radius * self.radius - aside.length_squared();
+        (beyond.max(0.0).sqrt() - along).max(0.0)
+    }
+
     /// A lower bound of the distance between a body and all lines.
     ///
     /// The distance is convex in space, so the tangent at one point bounds it.
     pub(super) fn least(&self, seen: &Seen) -> f64 {
-        let along = seen.by_line;
-        let across = (1.0 - along * along).max(0.0).sqrt();
+        let across = (1.0 - seen.by_line * seen.by_line).max(0.0).sqrt();
+        self.below(seen, across * self.radius, 0.0)
+    }
+
+    /// The same for a body seen from `aside` of [`Cell::place`], square to the mean direction, where `lateral` is the
+    /// gradient's part square to that direction.
+    pub(super) fn least_aside(&self, seen: &Seen, aside: DVec3, lateral: DVec3) -> f64 {
+        // The lowest value of a linear function on a disc.
+        self.below(seen, lateral.length() * self.radius + lateral.dot(aside), aside.length())
+    }
+
+    /// What is left of the distance with `lateral` taken off for the lines beside the place looked from.
+    fn below(&self, seen: &Seen, lateral: f64, aside: f64) -> f64 {
         // Lines also run down from the top; that brings them closer only where the body is not above.
-        let down = (along + self.spread + seen.turn).max(0.0) * (self.top - self.from);
-        let lateral = across * self.radius + along.abs() * self.height + self.top.abs() * self.spread;
-        seen.distance - lateral - down - seen.nearer - seen.turn * self.size()
+        let down = (seen.by_line + self.spread + seen.turn).max(0.0) * (self.top - self.from);
+        let other = seen.by_line.abs() * self.height + self.top.abs() * self.spread;
+        seen.distance - lateral - other - down - seen.nearer - seen.turn * (self.size() + aside)
     }
 }
 
-/// Reorders `items`, each given by two `ends`, so that the halves are each as compact as one cut can make them, and
-/// returns where the second begins. Both ends count, so that what diverges comes apart too. Equal places are told
-/// apart by `number`, so that the result depends on nothing else.
+/// Reorders `items`, each given by two `ends`, so that what one plane parts comes apart, and returns where the second
+/// part begins. Both ends count, so that what diverges is parted too. The plane lies midway, or where it would leave one
+/// side nearly empty, at the median; equal places are told apart by `number` then, so that the result depends on nothing else.
 pub(super) fn halve<T>(
     items: &mut [T],
     ends: impl Fn(&T) -> [DVec3; 2],
@@ -102,9 +134,41 @@ pub(super) fn halve<T>(
     let widest = [0, 1].map(|k| (hi[k] - lo[k]).max_element());
     let k = usize::from(widest[1] > widest[0]);
     let axis = (hi[k] - lo[k]).max_position();
-    let middle = items.len() / 2;
-    items.select_nth_unstable_by(middle, |a, b| {
+    let middle = 0.5 * (lo[k][axis] + hi[k][axis]);
+    let mut second = 0;
+    for i in 0..items.len() {
+        if ends(&items[i])[k][axis] < middle {
+            items.swap(i, second);
+            second += 1;
+        }
+    }
+    if second.min(items.len() - second) > items.len() / LOPSIDED {
+        return second;
+    }
+    let median = items.len() / 2;
+    items.select_nth_unstable_by(median, |a, b| {
         ends(a)[k][axis].total_cmp(&ends(b)[k][axis]).then(number(a).cmp(&number(b)))
     });
-    middle
+    median
+}
+
+/// `items` in lists of at most `most`, each compact.
+pub(super) fn share_out<T>(
+    items: &mut [T],
+    most: usize,
+    ends: impl Fn(&T) -> [DVec3; 2],
+    number: impl Fn(&T) -> u32,
+) -> Vec<&[T]> {
+    let mut lists: Vec<&[T]> = Vec::new();
+    let mut open = vec![items];
+    while let Some(items) = open.pop() {
+        if items.len() <= most {
+            lists.push(items);
+        } else {
+            let middle = halve(items, &ends, &number);
+            let (left, right) = items.split_at_mut(middle);
+            open.extend([right, left]);
+        }
+    }
+    lists
 }

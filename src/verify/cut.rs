@@ -1,7 +1,7 @@
 //! All lines against all moves.
 
 use super::body::Body;
-use super::cells::{Cell, halve};
+use super::cells::{Cell, halve, share_out};
 use super::entry::{Line, enter};
 use super::sweeps::{Candidate, Sweeps};
 use crate::monitor::{Cancelled, Stage};
@@ -25,20 +25,22 @@ impl Hit {
 #[derive(Debug, Clone)]
 pub(super) struct Scene {
     pub(super) body: Body,
-    sweeps: Sweeps,
+    pub(super) sweeps: Sweeps,
     /// Lowest and highest `t` of interest, millimetres.
-    from: f64,
+    pub(super) from: f64,
     to: f64,
 }
 
 /// Samples in one task at most: few enough that cancelling is prompt and workers share evenly, many enough that the
 /// search for what comes near at all is shared.
-const TASK: usize = 1024;
-/// Lines up to which a cell is cut by the part nearest to it before it is halved: what is far above that cut need
-/// not be looked at again. In larger cells one part is near to few.
+pub(super) const TASK: usize = 1024;
+/// A cell of so many lines, or down to half as many, is cut by the part nearest to it before it is halved: what is far
+/// above that cut need not be looked at again. In larger cells one part is near to few. 32 and 128 are slower.
 const TRIED: usize = 64;
-/// Lines in the smallest cells.
-const SMALLEST: usize = 3;
+/// Lines in the smallest cells, and parts so few that halving a cell again costs more than trying them on each of its
+/// lines. Of 3 to 16 either way these were best on a dome with dense samples; on a blade with sparse ones all are alike.
+const SMALLEST: usize = 6;
+const FEW: usize = 8;
 
 /// A line on its way through the cells, and what it met so far.
 #[derive(Debug, Clone, Copy)]
@@ -67,17 +69,7 @@ impl Scene {
         };
         let mut order: Vec<u32> =
             (0..points.len() as u32).filter(|&i| directions[i as usize] != DVec3::ZERO).collect();
-        let mut tasks: Vec<&[u32]> = Vec::new();
-        let mut open = vec![&mut order[..]];
-        while let Some(lines) = open.pop() {
-            if lines.len() <= TASK {
-                tasks.push(lines);
-            } else {
-                let middle = halve(lines, ends, |i| *i);
-                let (left, right) = lines.split_at_mut(middle);
-                open.extend([right, left]);
-            }
-        }
+        let tasks = share_out(&mut order, TASK, ends, |i| *i);
         let cut_task = |task: usize| -> Vec<(u32, Hit)> {
             let job = |&i: &u32| {
                 let (point, direction) = (points[i as usize], directions[i as usize]);
@@ -113,13 +105,14 @@ impl Scene {
         for i in begin..end {
             self.sweeps.sift(&self.body, &cell, near[i], smallest, near);
         }
-        if smallest {
+        let is_part = |candidate: &Candidate| matches!(candidate, Candidate::Part(..));
+        if smallest || (near.len() - end <= FEW && near[end..].iter().all(is_part)) {
             near[end..].sort_unstable_by(Candidate::by_distance);
             for candidate in &near[end..] {
                 self.try_on(jobs, *candidate);
             }
         } else if near.len() > end {
-            if jobs.len() <= TRIED
+            if (TRIED / 2 + 1..=TRIED).contains(&jobs.len())
                 && let Some(nearest) = near[end..].iter().min_by(|a, b| a.by_distance(b))
             {
                 self.try_on(jobs, *nearest);

@@ -97,7 +97,8 @@ fn above_unless_inside(body: &Body, piece: &Piece, line: &Line) -> Line {
 /// a step may go too far by the turn times its length: such a step is taken back until the distance itself vanishes.
 fn first_entry(body: &Body, piece: &Piece, line: &Line, middle: &Probe) -> Option<Entry> {
     let rises = middle.by_line + piece.half_turn() > 0.0;
-    let (mut s, top) = closest(body, piece, line, line.to, 0.5, if rises { f64::INFINITY } else { -TOUCH });
+    let (mut s, top) =
+        closest(body, piece, line, line.to, (0.5, *middle), if rises { f64::INFINITY } else { -TOUCH });
     let inside_at_top = top.distance < -TOUCH;
     // Far below the top another time may be closest: by the turn times the length, at most.
     if !inside_at_top && top.by_line + 2.0 * piece.half_turn() <= 0.0 {
@@ -108,7 +109,8 @@ fn first_entry(body: &Body, piece: &Piece, line: &Line, middle: &Probe) -> Optio
     // The highest place known to be outside and below the entry.
     let mut below = None;
     for _ in 0..MOST_ROUNDS {
-        let (at, probe) = closest(body, piece, line, t, s, f64::INFINITY);
+        let guess = (s, piece.probe(body, s, line.at(t), line.direction));
+        let (at, probe) = closest(body, piece, line, t, guess, f64::INFINITY);
         s = at;
         let (distance, slope) = (probe.distance, probe.by_line);
         if distance.abs() <= TOUCH || (distance < 0.0 && t <= line.from) {
@@ -138,15 +140,22 @@ fn first_entry(body: &Body, piece: &Piece, line: &Line, middle: &Probe) -> Optio
     inside_at_top.then_some(Entry { t, ball: DVec3::NAN })
 }
 
-/// The piece's parameter at which the body is closest to `line.at(t)`, searched from the guess `s`, and the probe
-/// there, whose derivative along the line is that of the closest approach. Stops early once the distance is proved not
-/// to fall below `enough`.
+/// The piece's parameter at which the body is closest to `line.at(t)` and the probe there, whose derivative along the line
+/// is that of the closest approach; searched from `start`, a guess and its probe. Stops early once the distance is
+/// proved not to fall below `enough`.
 ///
 /// Treats the distance as convex in the parameter; [`Piece`]s are cut so that it is, within their sag.
-fn closest(body: &Body, piece: &Piece, line: &Line, t: f64, s: f64, enough: f64) -> (f64, Probe) {
+fn closest(
+    body: &Body,
+    piece: &Piece,
+    line: &Line,
+    t: f64,
+    start: (f64, Probe),
+    enough: f64,
+) -> (f64, Probe) {
     let x = line.at(t);
     let look = |s: f64| piece.probe(body, s, x, line.direction);
-    let mut best = (s, look(s));
+    let mut best = start;
     let mut ends: [Option<(f64, Probe)>; 2] = [None, None];
     let mut here = best;
     for round in 0..MOST_ROUNDS {

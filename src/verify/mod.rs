@@ -13,6 +13,7 @@ mod cells;
 mod cut;
 mod entry;
 mod motion;
+mod patch;
 mod refine;
 mod samples;
 mod statistics;

@@ -1,6 +1,6 @@
 //! Finer samples where the extreme may hide between the coarse ones.
 
-use super::bound::{Sense, bound};
+use super::bound::{Sense, bound, bow};
 use super::cut::{Hit, Scene};
 use super::samples::{Sample, Samples};
 use crate::geometry::Uv;
@@ -15,6 +15,8 @@ pub(super) struct Field<'a> {
     parameters: Option<Vec<Uv>>,
     /// Whether a sample counts; new ones do.
     counts: Vec<bool>,
+    /// The samples in the middles of edges: neighbours are seldom split at the same time.
+    middles: BTreeMap<(u32, u32), u32>,
 }
 
 /// How a search ended.
@@ -35,6 +37,17 @@ pub(super) struct Search {
     pub(super) most: usize,
 }
 
+/// What a search still has to look at.
+#[derive(Debug, Default)]
+struct Pending {
+    /// Triangles worth splitting, with their bounds.
+    open: Vec<(f64, [u32; 3])>,
+    /// The most that the extreme may be in all others: what is not worth splitting still limits the promise.
+    rest: f64,
+    /// Whether the whole motion is asked before a gouge is suspected: as dear as the samples themselves.
+    asks: bool,
+}
+
 /// Triangles split in the first round; twice as many in each round after it.
 const FIRST_BATCH: usize = 64;
 /// Halvings of one triangle in a climb: a 1 mm edge becomes a nanometre.
@@ -48,6 +61,7 @@ impl<'a> Field<'a> {
             counts: hits.iter().zip(excluded).map(|(hit, out)| hit.t.is_finite() && !out).collect(),
             hits,
             parameters: source.parameters(),
+            middles: BTreeMap::new(),
         }
     }
 
@@ -64,34 +78,37 @@ impl<'a> Field<'a> {
         search: Search,
         stage: &Stage,
     ) -> Result<Searched, Cancelled> {
-        let round = scene.body.inscribed();
         let Some(mut best) = self.best(sense, 0, None) else {
             return Ok(Searched { best: None, error: 0.0 });
         };
-        if round <= 0.0 {
+        let sharp = scene.body.inscribed() <= 0.0;
+        if sharp && sense == Sense::Excess {
             return Ok(Searched { best: Some(best), error: f64::INFINITY });
         }
-        // What is not worth splitting any more still limits the promise.
-        let mut rest = best.0;
-        let mut open: Vec<(f64, [u32; 3])> = Vec::new();
-        for &triangle in &self.source.triangles {
-            self.file(sense, round, triangle, best.0 + search.tolerance, &mut open, &mut rest);
-        }
-        let mut room = search.most;
+        let mut pending = Pending { open: Vec::new(), rest: best.0, asks: search.most > 0 };
+        let all = self.source.triangles.iter().copied();
+        // Same monitor and workers below, but no progress of their own.
+        let part = |at: f64| stage.part("looking between the samples", at, at);
+        self.file(sense, scene, all, best.0 + search.tolerance, &mut pending, &part(0.0))?;
+        // Splitting does not make an edge any blunter.
+        let mut room = if sharp { 0 } else { search.most };
         let mut batch = FIRST_BATCH;
         let mut waiting = 1.0;
         loop {
-            let (worth, done): (Vec<_>, Vec<_>) =
-                open.into_iter().partition(|(bound, _)| *bound > best.0 + search.tolerance);
-            rest = done.iter().map(|(bound, _)| *bound).fold(rest, f64::max);
-            open = worth;
+            let (open, done): (Vec<_>, Vec<_>) = std::mem::take(&mut pending.open)
+                .into_iter()
+                .partition(|(b, _)| *b > best.0 + search.tolerance);
+            pending.rest = highest(&done).max(pending.rest);
+            pending.open = open;
+            let open = &mut pending.open;
             if open.is_empty() || room < 3 {
                 break;
             }
-            open.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+            // Where the surface is too wild for any bound, splitting seldom helps: such triangles come last.
+            let key = |bound: f64| if bound.is_finite() { bound } else { f64::NEG_INFINITY };
+            open.sort_unstable_by(|a, b| key(b.0).total_cmp(&key(a.0)).then(a.1.cmp(&b.1)));
             // Nobody knows how many rounds there will be: each takes half of what is left of the stage.
-            // Same monitor and workers below, but no progress of their own.
-            let quiet = stage.part("looking between the samples", 1.0 - waiting, 1.0 - waiting);
+            let quiet = part(1.0 - waiting);
             waiting *= 0.5;
             let begin = self.samples.len();
             let mut children = Vec::new();
@@ -99,7 +116,7 @@ impl<'a> Field<'a> {
             for _ in 0..CLIMB {
                 let four = self.split(&[top.1], scene, &quiet)?;
                 best = self.best(sense, begin, Some(best)).unwrap_or(best);
-                let bounds: Vec<f64> = four.iter().map(|t| self.bound(sense, round, *t)).collect();
+                let bounds: Vec<f64> = four.iter().map(|t| self.bound(sense, scene, *t)).collect();
                 let first = (0..4).fold(0, |a, b| if bounds[b] > bounds[a] { b } else { a });
                 children.extend((0..4).filter(|i| *i != first).map(|i| four[i]));
                 top = (bounds[first], four[first]);
@@ -114,14 +131,16 @@ impl<'a> Field<'a> {
             children.extend(self.split(&split, scene, &quiet)?);
             room = room.saturating_sub(self.samples.len() - begin);
             best = self.best(sense, begin, Some(best)).unwrap_or(best);
-            for triangle in children {
-                self.file(sense, round, triangle, best.0 + search.tolerance, &mut open, &mut rest);
-            }
+            let worth = best.0 + search.tolerance;
+            self.file(sense, scene, children.into_iter(), worth, &mut pending, &quiet)?;
             batch *= 2;
         }
         stage.at(1.0)?;
-        let rest = open.iter().map(|(bound, _)| *bound).fold(rest, f64::max);
-        Ok(Searched { best: Some(best), error: (rest - best.0).max(0.0) })
+        let rest = highest(&pending.open).max(pending.rest);
+        let error = (rest - best.0).max(0.0);
+        // Rounding alone must not exceed what was asked.
+        let reached = error <= search.tolerance * (1.0 + 1e-9);
+        Ok(Searched { best: Some(best), error: if reached { error.min(search.tolerance) } else { error } })
     }
 
     fn best(&self, sense: Sense, from: usize, before: Option<(f64, usize)>) -> Option<(f64, usize)> {
@@ -132,30 +151,49 @@ impl<'a> Field<'a> {
     }
 
     /// The bound over a triangle; minus infinite if a corner was never reached or is excluded: such are not judged.
-    fn bound(&self, sense: Sense, round: f64, triangle: [u32; 3]) -> f64 {
+    fn bound(&self, sense: Sense, scene: &Scene, triangle: [u32; 3]) -> f64 {
         let corners = triangle.map(|i| i as usize);
         if !corners.iter().all(|&i| self.counts[i]) {
             return f64::NEG_INFINITY;
         }
-        bound(sense, corners.map(|i| &self.samples[i]), corners.map(|i| &self.hits[i]), round)
+        let samples = corners.map(|i| &self.samples[i]);
+        let most = bound(sense, samples, corners.map(|i| &self.hits[i]), scene.body.inscribed());
+        match sense {
+            Sense::Excess => most,
+            // Deeper is not looked for.
+            Sense::Gouge => most.min(-scene.from),
+        }
     }
 
-    /// Puts `triangle` among the open ones if its bound is above `worth`, else into the rest.
+    /// Puts those of `triangles` whose bound is above `worth` among the open ones, the others into the rest. Before a gouge
+    /// is suspected between samples, the whole motion is asked whether it can be there at all.
     fn file(
         &self,
         sense: Sense,
-        round: f64,
-        triangle: [u32; 3],
+        scene: &Scene,
+        triangles: impl Iterator<Item = [u32; 3]>,
         worth: f64,
-        open: &mut Vec<(f64, [u32; 3])>,
-        rest: &mut f64,
-    ) {
-        let bound = self.bound(sense, round, triangle);
-        if bound > worth {
-            open.push((bound, triangle));
-        } else {
-            *rest = rest.max(bound);
+        pending: &mut Pending,
+        stage: &Stage,
+    ) -> Result<(), Cancelled> {
+        let bounded = triangles.map(|triangle| (self.bound(sense, scene, triangle), triangle));
+        let (suspect, done): (Vec<_>, Vec<_>) = bounded.partition(|(bound, _)| *bound > worth);
+        pending.rest = highest(&done).max(pending.rest);
+        if sense == Sense::Excess || !pending.asks {
+            pending.open.extend(suspect);
+            return Ok(());
         }
+        let patch = |triangle: [u32; 3]| {
+            let samples = triangle.map(|i| &self.samples[i as usize]);
+            (samples, bow(samples))
+        };
+        let patches: Vec<_> = suspect.iter().map(|(_, triangle)| patch(*triangle)).collect();
+        let spared = scene.spares(&patches, worth, stage)?;
+        if spared.contains(&true) {
+            pending.rest = pending.rest.max(worth);
+        }
+        pending.open.extend(suspect.into_iter().zip(spared).filter(|(_, spared)| !spared).map(|(s, _)| s));
+        Ok(())
     }
 
     /// Four triangles for each one, with new samples, cut at once, in the middles of their edges.
@@ -166,7 +204,7 @@ impl<'a> Field<'a> {
         stage: &Stage,
     ) -> Result<Vec<[u32; 3]>, Cancelled> {
         let begin = self.samples.len();
-        let mut middles: BTreeMap<(u32, u32), u32> = BTreeMap::new();
+        let mut middles = std::mem::take(&mut self.middles);
         let mut children = Vec::with_capacity(4 * triangles.len());
         for &[a, b, c] in triangles {
             let [ab, bc, ca] = [(a, b), (b, c), (c, a)].map(|(i, j)| {
@@ -176,6 +214,7 @@ impl<'a> Field<'a> {
             });
             children.extend([[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]);
         }
+        self.middles = middles;
         let points: Vec<_> = self.samples[begin..].iter().map(|s| s.point).collect();
         let normals: Vec<_> = self.samples[begin..].iter().map(|s| s.normal).collect();
         let hits = scene.cut(&points, &normals, stage)?;
@@ -199,4 +238,9 @@ impl<'a> Field<'a> {
         self.samples.push(sample);
         (self.samples.len() - 1) as u32
     }
+}
+
+/// The highest bound; minus infinite of nothing.
+fn highest(bounded: &[(f64, [u32; 3])]) -> f64 {
+    bounded.iter().map(|(bound, _)| *bound).fold(f64::NEG_INFINITY, f64::max)
 }

@@ -30,10 +30,9 @@ pub struct Statistics {
     /// The least excess met: the deepest gouge if negative. At the depth searched it may be deeper still.
     pub min: Option<Extreme>,
     /// How much the true largest excess can exceed [`Statistics::max`] between the samples; infinite for a cutter
-    /// without a corner radius.
+    /// without a corner radius, and where the surface bends too wildly between samples for any bound.
     pub excess_error: f64,
-    /// How much deeper than [`Statistics::min`] the cutter can be between the samples; infinite for a cutter without a
-    /// corner radius.
+    /// How much deeper than [`Statistics::min`] the cutter can be between the samples, at most down to the depth searched.
     pub gouge_error: f64,
     /// The excess that half of the area does not exceed.
     pub median: f64,

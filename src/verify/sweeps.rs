@@ -67,25 +67,26 @@ impl Sweeps {
         let mut sweeps = Self { nodes: Vec::new(), parts: Vec::with_capacity(parts.len()) };
         let mut sticks: Vec<Stick> =
             parts.iter().enumerate().map(|(i, part)| Stick::of(part, i as u32, body.reach())).collect();
+        let poses: Vec<_> = parts.iter().map(|part| [part.pose(0.0), part.pose(1.0)]).collect();
         if !sticks.is_empty() {
-            sweeps.grow(&mut sticks, &parts);
+            sweeps.grow(&mut sticks, &parts, &poses);
         }
         sweeps
     }
 
-    fn grow(&mut self, sticks: &mut [Stick], parts: &[Piece]) {
+    fn grow(&mut self, sticks: &mut [Stick], parts: &[Piece], poses: &[[ClPoint; 2]]) {
         let number = self.nodes.len();
         let first = self.parts.len() as u32;
-        self.nodes.push(Node::around(sticks, parts, first));
+        self.nodes.push(Node::around(sticks, poses, first));
         if sticks.len() <= LOWEST {
             self.parts.extend(sticks.iter().map(|stick| parts[stick.number as usize]));
             return;
         }
         let middle = Stick::halve(sticks);
         let (left, right) = sticks.split_at_mut(middle);
-        self.grow(left, parts);
+        self.grow(left, parts, poses);
         self.nodes[number].second = Some(self.nodes.len() as u32);
-        self.grow(right, parts);
+        self.grow(right, parts, poses);
     }
 
     pub(super) fn part(&self, number: u32) -> &Piece {
@@ -149,8 +150,8 @@ impl Sweeps {
 }
 
 impl Node {
-    fn around(sticks: &[Stick], parts: &[Piece], first: u32) -> Self {
-        let poses = || sticks.iter().flat_map(|s| [0.0, 1.0].map(|t| parts[s.number as usize].pose(t)));
+    fn around(sticks: &[Stick], poses: &[[ClPoint; 2]], first: u32) -> Self {
+        let poses = || sticks.iter().flat_map(|stick| &poses[stick.number as usize]);
         let (lo, hi) = poses().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(lo, hi), pose| {
             (lo.min(pose.tip), hi.max(pose.tip))
         });
@@ -159,8 +160,9 @@ impl Node {
         let (mut shift, mut chord) = (0.0_f64, 0.0_f64);
         for pose in poses() {
             shift = shift.max(pose.tip.distance(middle.tip));
-            chord = chord.max(pose.axis.distance(axis));
+            chord = chord.max(pose.axis.distance_squared(axis));
         }
+        let chord = chord.sqrt();
         // Between two axes inside a cap of less than a half sphere, the shorter arc stays inside.
         let turn = if chord < 1.4 { 2.0 * libm::asin(0.5 * chord) } else { f64::INFINITY };
         let end = first + sticks.len() as u32;

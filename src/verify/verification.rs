@@ -26,7 +26,7 @@ pub struct Options<'a> {
     pub shank: f64,
     /// The sampling error to reach for the extremes, above 0.
     pub sampling_tolerance: f64,
-    /// Samples that may be added to reach it, for either extreme.
+    /// Samples that may be added to reach it, for either extreme. With 0 the errors are not looked into, only bounded in haste.
     pub most_refined: usize,
     /// A part of the surface that the path is not asked to cut.
     pub excluded: Option<&'a Zone>,
@@ -34,15 +34,15 @@ pub struct Options<'a> {
 
 impl Options<'_> {
     /// For the allowed excess `height` and `cutter`: looked for up to five times the height and down to the cutter's
-    /// largest radius, a 200 mm shank, a sampling error of a twentieth of the height with up to 200,000 samples more.
+    /// largest radius, a 200 mm shank, a sampling error of a tenth of the height with up to 50,000 samples more for either extreme.
     pub fn for_height(height: f64, cutter: &Cutter) -> Self {
         Self {
             height,
             search: 5.0 * height,
             depth: cutter.largest_radius(),
             shank: 200.0,
-            sampling_tolerance: height / 20.0,
-            most_refined: 200_000,
+            sampling_tolerance: height / 10.0,
+            most_refined: 50_000,
             excluded: None,
         }
     }
