@@ -85,7 +85,8 @@ fn above_unless_inside(body: &Body, piece: &Piece, line: &Line) -> Line {
     if line.from >= 0.0 {
         return *line;
     }
-    let (_, here) = closest(body, piece, line, 0.0, 0.5, -TOUCH);
+    let start = (0.5, piece.probe(body, 0.5, line.at(0.0), line.direction));
+    let (_, here) = closest(body, piece, line, 0.0, start, -TOUCH);
     // A turning body may hold the point between the times looked at, by as much as the search may miss.
     if here.distance < MISS { *line } else { Line { from: 0.0, ..*line } }
 }
