@@ -26,8 +26,11 @@ struct Block {
     children: Vec<Block>,
 }
 
-/// Points on a ring around a contact: along and across the feed and between.
-const RING: usize = 8;
+/// Rings on which the neighbourhood of a contact is looked at, in cells: a rolled-over edge bends within hundredths of
+/// a millimetre.
+const RINGS: [f64; 6] = [0.04, 0.1, 0.22, 0.45, 0.8, 1.4];
+/// Points on each: along and across the feed and between.
+const SPOKES: usize = 8;
 
 /// Nodes a side of a small block, and small blocks a side of a large one: an 8 × 8 × 8 × 8 tree holds a 64 × 64 grid.
 const SIDE: usize = 8;
@@ -82,7 +85,7 @@ impl FaceObstacle {
                     let here = body.distance(point);
                     let near = point.distance_squared(contact) < 2.25 * self.cell * self.cell;
                     if here < margin && !near && self.is_lowest(&body, i, j, here) {
-                        deepest = deepest.min(self.descend(&body, i, j, here, contact));
+                        deepest = deepest.min(self.descend_from(&body, i, j, here, contact));
                     }
                 }
             }
@@ -91,18 +94,30 @@ impl FaceObstacle {
     }
 
     /// How deep the cutter at `cl` reaches into the face right beside its contact at `uv`, in the neighbourhood that
-    /// [`FaceObstacle::depth`] leaves out, mm: 0 or negative, as found on two rings around the contact.
+    /// [`FaceObstacle::depth`] leaves out, mm: 0 or negative. Found on rings around the contact and, where one of them
+    /// dips below the cutter, followed down from there.
     pub fn depth_beside(&self, cutter: &Cutter, cl: &ClPoint, uv: Uv, frame: &Frame) -> f64 {
         let body = Body::new(cutter, cl);
         let domain = self.face.domain();
         let jet = self.face.jet(uv);
         let mut deepest = 0.0f64;
-        for radius in [0.4, 1.0].map(|share| share * self.cell) {
-            for k in 0..RING {
-                let (s, c) = libm::sincos(std::f64::consts::TAU * k as f64 / RING as f64);
+        for (ring, radius) in RINGS.map(|share| share * self.cell).into_iter().enumerate() {
+            let mut lowest: Option<(f64, Uv)> = None;
+            for k in 0..SPOKES {
+                // Every other ring looks between the spokes of the last.
+                let turn = (k as f64 + 0.5 * (ring % 2) as f64) / SPOKES as f64;
+                let (s, c) = libm::sincos(std::f64::consts::TAU * turn);
                 let Some((du, dv)) = jet.pull_back((frame.f * c + frame.b * s) * radius) else { continue };
                 let beside = domain.clamp(Uv::new(uv.u + du, uv.v + dv));
-                deepest = deepest.min(body.distance(self.face.surface.point(beside)));
+                let here = body.distance(self.face.surface.point(beside));
+                if lowest.is_none_or(|(low, _)| here < low) {
+                    lowest = Some((here, beside));
+                }
+            }
+            if let Some((here, at)) = lowest.filter(|(here, _)| *here < 0.0) {
+                let Some((du, dv)) = jet.pull_back((frame.f + frame.b) * (0.5 * radius)) else { continue };
+                let step = Uv::new(du.abs(), dv.abs());
+                deepest = deepest.min(self.descend(&body, (at, here), step).1);
             }
         }
         deepest
@@ -115,16 +130,24 @@ impl FaceObstacle {
         around(j, nv).all(|b| around(i, nu).all(|a| body.distance(self.grid.point(a, b)) >= here))
     }
 
-    /// The least distance near the node, by a pattern search in the parameters.
-    fn descend(&self, body: &Body, i: usize, j: usize, here: f64, contact: DVec3) -> f64 {
+    /// The least distance near the node, 0 where the way down leads to the `contact`.
+    fn descend_from(&self, body: &Body, i: usize, j: usize, here: f64, contact: DVec3) -> f64 {
         let (nu, nv) = self.grid.size();
-        let domain = self.face.domain();
         let (low, high) = (
             self.grid.uv(i.saturating_sub(1), j.saturating_sub(1)),
             self.grid.uv((i + 1).min(nu - 1), (j + 1).min(nv - 1)),
         );
-        let mut step = Uv::new(0.5 * (high.u - low.u), 0.5 * (high.v - low.v));
-        let (mut at, mut best) = (self.grid.uv(i, j), here);
+        let step = Uv::new(0.5 * (high.u - low.u), 0.5 * (high.v - low.v));
+        let (at, best) = self.descend(body, (self.grid.uv(i, j), here), step);
+        // What slid back to the contact is the contact.
+        let end = self.face.surface.point(at);
+        if end.distance_squared(contact) < self.cell * self.cell { 0.0 } else { best }
+    }
+
+    /// Where the distance is least near `at`, where it is `best`, and how much it is: by a pattern search in the
+    /// parameters.
+    fn descend(&self, body: &Body, (mut at, mut best): (Uv, f64), mut step: Uv) -> (Uv, f64) {
+        let domain = self.face.domain();
         // Ten halvings shrink a cell a thousandfold; the distance errs by the square of what is left.
         for _ in 0..10 {
             for (a, b) in [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)] {
@@ -136,9 +159,7 @@ impl FaceObstacle {
             }
             step = Uv::new(0.5 * step.u, 0.5 * step.v);
         }
-        // What slid back to the contact is the contact.
-        let end = self.face.surface.point(at);
-        if end.distance_squared(contact) < self.cell * self.cell { 0.0 } else { best }
+        (at, best)
     }
 }
 

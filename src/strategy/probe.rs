@@ -5,7 +5,7 @@ use crate::contact::{Edge, FaceObstacle, FaceStrip, StripLimits, cl_of, face_str
 use crate::cutter::Cutter;
 use crate::geometry::{Curvature, Face, Field, IsoLine, Jet, Uv};
 use crate::math::frame::Frame;
-use crate::toolpath::{CcPoint, Posture, Station};
+use crate::toolpath::{CcPoint, ClPoint, Posture, Station};
 use glam::DVec3;
 
 /// Everything that decides what the cutter does at a point of a family of level lines.
@@ -67,13 +67,14 @@ impl Setup<'_> {
     /// Whether the cutter at `station`, which stands at `uv`, reaches into the face nowhere: neither beside its contact
     /// nor anywhere else.
     pub(super) fn fits(&self, station: &Station, uv: Uv) -> bool {
-        let (cl, frame) = (&station.cl, &station.cc.frame);
-        self.obstacle.depth_beside(self.cutter, cl, uv, frame) >= -GOUGE && self.is_clear(station)
+        let (cl, cc) = (&station.cl, &station.cc);
+        self.obstacle.depth_beside(self.cutter, cl, uv, &cc.frame) >= -GOUGE
+            && self.obstacle.depth(self.cutter, cl, cc.point) >= -GOUGE
     }
 
-    /// Whether the cutter at `station` reaches into the face nowhere but beside its contact.
-    pub(super) fn is_clear(&self, station: &Station) -> bool {
-        self.obstacle.depth(self.cutter, &station.cl, station.cc.point) >= -GOUGE
+    /// Whether the cutter at `cl`, which touches nothing, reaches into the face nowhere at all.
+    pub(super) fn is_off(&self, cl: &ClPoint) -> bool {
+        self.obstacle.depth(self.cutter, cl, DVec3::INFINITY) >= -GOUGE
     }
 
     /// The strip at `uv` on a level line; `None` where the cutter cannot go.

@@ -34,9 +34,12 @@ pub(super) fn passes(setup: &Setup, line: &IsoLine, reversed: bool) -> Vec<Pass>
     walker.split(&ats)
 }
 
-/// Cosine of the most that the axis may turn in a move, 3°: parts of the cutter that nobody looks at here stray by the
+/// The most that the axis may turn in a move, radians (3°): parts of the cutter that nobody looks at here stray by the
 /// square of it.
-const LEAST_COSINE: f64 = 0.998_63;
+const MOST_TURN: f64 = 0.052;
+/// The most that the cutter turns beyond a border, radians: a line that ends on a rolled-over edge of a tenth of a
+/// millimetre would otherwise wind up around it, over ground that is not there.
+const MOST_RUN_OUT_TURN: f64 = 0.4;
 
 struct Walker<'a> {
     setup: &'a Setup<'a>,
@@ -92,7 +95,7 @@ impl Walker<'_> {
         if !a.clear {
             return true;
         }
-        if a.station.cl.axis.dot(b.station.cl.axis) < LEAST_COSINE {
+        if a.station.cl.axis.angle_between(b.station.cl.axis) > MOST_TURN {
             return false;
         }
         let low = -(self.setup.finish.chord.min(GOUGE));
@@ -173,17 +176,19 @@ impl Walker<'_> {
         let lean = [border_lean, strip_lean].map(|l| if l < 6.0 { l } else { 0.0 });
         let way = self.setup.strip * (0.15 + 0.6 * (lean[0] + lean[1]));
         let Some(k) = Curvature::of(&jet, &frame) else { return Vec::new() };
-        // As many moves as the chord of that curvature asks for.
-        let chord = (8.0 * self.setup.finish.chord.min(GOUGE) / k.ff.abs().max(1e-6)).sqrt();
-        let count = (way / chord).ceil().clamp(1.0, 64.0) as usize;
+        let [bend, twist] = [k.ff, k.fb].map(|k| k.clamp(-MOST_RUN_OUT_TURN / way, MOST_RUN_OUT_TURN / way));
+        // As many moves as the chord of that curvature and the turn of the axis ask for.
+        let chord = (8.0 * self.setup.finish.chord.min(GOUGE) / bend.abs().max(1e-6)).sqrt();
+        let turn = libm::hypot(bend, twist) * way / MOST_TURN;
+        let count = (way / chord).max(turn).ceil().clamp(1.0, 64.0) as usize;
         let beyond = |i: usize| {
             let s = toward * way * i as f64 / count as f64;
-            let n = (frame.n - (frame.f * k.ff + frame.b * k.fb) * s).normalize();
-            let point = end.cc.point + frame.f * s + frame.n * (0.5 * k.ff * s * s);
-            let frame = Frame::from_normal(n, frame.f + frame.n * (k.ff * s))?;
+            let n = (frame.n - (frame.f * bend + frame.b * twist) * s).normalize();
+            let point = end.cc.point + frame.f * s + frame.n * (0.5 * bend * s * s);
+            let frame = Frame::from_normal(n, frame.f + frame.n * (bend * s))?;
             let cc = CcPoint { point, frame, ..end.cc };
             let station = Station { cc, cl: cl_of(self.setup.cutter, &cc) };
-            self.setup.is_clear(&station).then_some(station)
+            self.setup.is_off(&station.cl).then_some(station)
         };
         (1..=count).map_while(beyond).collect()
     }
