@@ -64,11 +64,11 @@ impl FaceObstacle {
     /// How deep the cutter at `cl` reaches into the face beyond the neighbourhood of its contact, mm: 0 or negative.
     ///
     /// The neighbourhood is one and a half cells around `contact`; there the strip tells (see
-    /// [`super::face_strip`]). Depths are found to about a hundredth of the cell's own sag.
-    pub fn depth(&self, cutter: &Cutter, cl: &ClPoint, contact: DVec3) -> f64 {
+    /// [`super::face_strip`]). Depths are found to about a hundredth of the cell's own sag. What is deeper than
+    /// `enough` (mm, negative) is not followed further down.
+    pub fn depth(&self, cutter: &Cutter, cl: &ClPoint, contact: DVec3, enough: f64) -> f64 {
         let body = Body::new(cutter, cl);
-        // Between samples the face may come nearer than at any of them by the sag of a cell against the corner.
-        let margin = 0.125 * self.cell * self.cell * (1.0 / cutter.corner_radius.max(0.1) + 0.1) * 2.0;
+        let margin = self.margin(cutter);
         let mut deepest = 0.0f64;
         let mut open: Vec<&Block> = self.blocks.iter().collect();
         while let Some(block) = open.pop() {
@@ -84,6 +84,9 @@ impl FaceObstacle {
                     let point = self.grid.point(i, j);
                     let here = body.distance(point);
                     let near = point.distance_squared(contact) < 2.25 * self.cell * self.cell;
+                    if here < enough && !near {
+                        return here;
+                    }
                     if here < margin && !near && self.is_lowest(&body, i, j, here) {
                         deepest = deepest.min(self.descend_from(&body, i, j, here, contact));
                     }
@@ -91,6 +94,34 @@ impl FaceObstacle {
             }
         }
         deepest
+    }
+
+    /// Whether the cutter at `cl` certainly touches the face nowhere: it also says no where it only comes nearer than
+    /// the face may bulge between samples, hundredths of a millimetre.
+    pub fn clears(&self, cutter: &Cutter, cl: &ClPoint) -> bool {
+        let body = Body::new(cutter, cl);
+        let margin = self.margin(cutter);
+        let mut open: Vec<&Block> = self.blocks.iter().collect();
+        while let Some(block) = open.pop() {
+            if body.distance(block.center) - block.radius > margin {
+                continue;
+            }
+            if block.children.is_empty() {
+                let mut nodes =
+                    (block.j.0..block.j.1).flat_map(|j| (block.i.0..block.i.1).map(move |i| (i, j)));
+                if nodes.any(|(i, j)| body.distance(self.grid.point(i, j)) < margin) {
+                    return false;
+                }
+            }
+            open.extend(&block.children);
+        }
+        true
+    }
+
+    /// How much nearer than at any sample the face may come to the cutter between samples, mm: the sag of a cell against
+    /// the corner, twice.
+    fn margin(&self, cutter: &Cutter) -> f64 {
+        0.25 * self.cell * self.cell * (1.0 / cutter.corner_radius.max(0.1) + 0.1)
     }
 
     /// How deep the cutter at `cl` reaches into the face right beside its contact at `uv`, in the neighbourhood that
@@ -205,7 +236,7 @@ mod tests {
         let posture = Posture { lead: lead.to_radians(), yaw: yaw.to_radians() };
         let cutter = Cutter::bull_nose(16.0, 2.0, 50.0).unwrap();
         let cc = CcPoint { point: jet.p, frame, posture };
-        FaceObstacle::new(&face, 0.7).depth(&cutter, &cl_of(&cutter, &cc), jet.p)
+        FaceObstacle::new(&face, 0.7).depth(&cutter, &cl_of(&cutter, &cc), jet.p, f64::NEG_INFINITY)
     }
 
     #[test]

@@ -45,6 +45,14 @@ impl FaceGrid {
         Uv::new(self.us[i], self.vs[j])
     }
 
+    /// The cell that holds `uv`, by its lowest node; the nearest one if `uv` lies outside.
+    pub fn cell_at(&self, uv: Uv) -> (usize, usize) {
+        let find = |nodes: &[f64], x: f64| {
+            nodes.partition_point(|&node| node <= x).saturating_sub(1).min(nodes.len() - 2)
+        };
+        (find(&self.us, uv.u), find(&self.vs, uv.v))
+    }
+
     /// Point of the node `(i, j)`.
     pub fn point(&self, i: usize, j: usize) -> DVec3 {
         self.points[j * self.us.len() + i]

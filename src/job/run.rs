@@ -151,6 +151,7 @@ impl Plan {
 
 fn on_face(spec: &Spec, face: &Face, cutter: &Cutter, stage: &Stage) -> Result<(Planned, Linked), JobError> {
     let finish = spec.finish()?;
+    let passing = stage.part("Planning", 0.0, 0.95);
     let planned = match spec.strategy {
         StrategySpec::IsoParametric { along, lead_deg, yaw_deg, order } => {
             let along = match along {
@@ -158,11 +159,11 @@ fn on_face(spec: &Spec, face: &Face, cutter: &Cutter, stage: &Stage) -> Result<(
                 AlongSpec::V => Along::V,
             };
             let posture = posture(lead_deg, yaw_deg);
-            strategy::iso_parametric(face, cutter, along, posture, finish, order.into(), stage)?
+            strategy::iso_parametric(face, cutter, along, posture, finish, order.into(), &passing)?
         }
         StrategySpec::IsoPlanar { angle_deg, lead_deg, yaw_deg, order } => {
             let (angle, posture) = (angle_deg.to_radians(), posture(lead_deg, yaw_deg));
-            strategy::iso_planar(face, cutter, angle, posture, finish, order.into(), stage)?
+            strategy::iso_planar(face, cutter, angle, posture, finish, order.into(), &passing)?
         }
         StrategySpec::Raster { .. } => {
             return Err(JobError::field(
@@ -178,8 +179,9 @@ fn on_face(spec: &Spec, face: &Face, cutter: &Cutter, stage: &Stage) -> Result<(
     let refuge = Refuge::around(bounds, cutter, how.clearance);
     // Larger by what the cutter moves between two looks, to either side of them.
     let stout = Cutter { corner_radius: cutter.corner_radius + 0.5 * LOOK, ..*cutter };
-    let is_clear = |cl: &_| obstacle.depth(&stout, cl, DVec3::INFINITY) >= 0.0;
-    let linked = strategy::link(&planned.passes, &how, &refuge, &is_clear);
+    let is_clear = |cl: &_| obstacle.clears(&stout, cl);
+    let linked =
+        strategy::link(&planned.passes, &how, &refuge, &is_clear, &stage.part("Joining passes", 0.95, 1.0))?;
     Ok((planned, linked))
 }
 
@@ -196,14 +198,19 @@ fn on_mesh(
     let finish = spec.finish()?;
     let options =
         RasterOptions { angle: angle_deg.to_radians(), scallop: finish.scallop, chord: finish.chord };
-    let raster = strategy::raster(mesh, cutter, &options, stage).map_err(|e| match e {
-        RasterError::Cancelled(cancelled) => JobError::Cancelled(cancelled),
-        RasterError::Option { field, message } => {
-            let field =
-                if field == "angle" { "strategy.angle_deg".into() } else { format!("tolerance.{field}_mm") };
-            JobError::Field { field, message: message.into() }
-        }
-    })?;
+    let raster = strategy::raster(mesh, cutter, &options, &stage.part("Planning", 0.0, 0.95)).map_err(
+        |e| match e {
+            RasterError::Cancelled(cancelled) => JobError::Cancelled(cancelled),
+            RasterError::Option { field, message } => {
+                let field = if field == "angle" {
+                    "strategy.angle_deg".into()
+                } else {
+                    format!("tolerance.{field}_mm")
+                };
+                JobError::Field { field, message: message.into() }
+            }
+        },
+    )?;
     if raster.passes.is_empty() {
         let why = "the cutter fits nowhere on this mesh from above: a smaller cutter, or the other side, may";
         return Err(JobError::Strategy(why.into()));
@@ -213,7 +220,8 @@ fn on_mesh(
     let top = mesh.bounds().map_or(0.0, |(_, high)| high.z);
     let (lowered, under) = (DropMesh::new(mesh), Underside::new(cutter));
     let is_clear = |cl: &ClPoint| !is_in_mesh(&lowered, &under, cl.tip - DVec3::Z * LOOK);
-    let linked = strategy::link(&passes, &how, &Refuge::Above(top + how.clearance), &is_clear);
+    let refuge = Refuge::Above(top + how.clearance);
+    let linked = strategy::link(&passes, &how, &refuge, &is_clear, &stage.part("Joining passes", 0.95, 1.0))?;
     Ok((Planned { passes, unreached: raster.unreached }, linked))
 }
 

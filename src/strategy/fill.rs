@@ -63,6 +63,8 @@ fn insert(
     // One thread: the pairs of passes already share the workers out.
     let middle = family.probed(level, lines, lower.reversed, &stage.alone())?;
     if middle.probes.iter().flatten().all(|p| *p == Probe::Blocked) {
+        // Nothing is cut on it, but it tells where the cutter cannot go.
+        out.push(middle);
         return Ok(());
     }
     let within = Some((&needs[..], depth));

@@ -1,6 +1,7 @@
 //! From passes to one motion: lifting, crossing and coming down between them.
 
 use crate::cutter::Cutter;
+use crate::monitor::{Cancelled, Stage};
 use crate::toolpath::{ClPoint, Move, Pass, Rate, Role, Toolpath};
 use glam::DVec3;
 
@@ -44,11 +45,18 @@ pub struct Linked {
 /// The motion along `passes` in their order.
 ///
 /// Between two passes the cutter lifts along its axis, crosses straight to above the next pass and comes down, the last
-/// bit at plunge feed, if `is_clear` holds all along for one of a few lifts; otherwise it retracts along its axis into the refuge, crosses there in
-/// rapid, and comes back in along the axis.
-pub fn link(passes: &[Pass], how: &Linking, refuge: &Refuge, is_clear: &IsClear) -> Linked {
+/// bit at plunge feed, if `is_clear` holds all along for one of a few lifts; otherwise it retracts along its axis into
+/// the refuge, crosses there in rapid, and comes back in along the axis.
+pub fn link(
+    passes: &[Pass],
+    how: &Linking,
+    refuge: &Refuge,
+    is_clear: &IsClear,
+    stage: &Stage,
+) -> Result<Linked, Cancelled> {
     let mut linker = Linker { how, refuge, linked: Linked::default() };
-    for pass in passes {
+    for (i, pass) in passes.iter().enumerate() {
+        stage.at(i as f64 / passes.len() as f64)?;
         let (Some(first), Some(_)) = (pass.stations.first(), pass.stations.last()) else { continue };
         match linker.last() {
             None => linker.approach(first.cl),
@@ -64,7 +72,7 @@ pub fn link(passes: &[Pass], how: &Linking, refuge: &Refuge, is_clear: &IsClear)
         let out = linker.refuge.exit(last);
         linker.push(out, Rate::Rapid, Role::Link);
     }
-    linker.linked
+    Ok(linker.linked)
 }
 
 /// Where the cutter meets nothing, whatever it does.

@@ -7,9 +7,11 @@ mod iso_parametric;
 mod iso_planar;
 mod link;
 mod order;
+mod placing;
 mod probe;
 mod raster;
 mod spacing;
+mod unreached;
 mod walk;
 
 pub use finish::{Finish, Order, Planned, StrategyError};

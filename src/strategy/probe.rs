@@ -69,29 +69,31 @@ impl Setup<'_> {
     pub(super) fn fits(&self, station: &Station, uv: Uv) -> bool {
         let (cl, cc) = (&station.cl, &station.cc);
         self.obstacle.depth_beside(self.cutter, cl, uv, &cc.frame) >= -GOUGE
-            && self.obstacle.depth(self.cutter, cl, cc.point) >= -GOUGE
+            && self.obstacle.depth(self.cutter, cl, cc.point, -GOUGE) >= -GOUGE
     }
 
     /// Whether the cutter at `cl`, which touches nothing, reaches into the face nowhere at all.
     pub(super) fn is_off(&self, cl: &ClPoint) -> bool {
-        self.obstacle.depth(self.cutter, cl, DVec3::INFINITY) >= -GOUGE
+        self.obstacle.depth(self.cutter, cl, DVec3::INFINITY, -GOUGE) >= -GOUGE
     }
 
     /// The strip at `uv` on a level line; `None` where the cutter cannot go.
     pub(super) fn strip(&self, uv: Uv, reversed: bool) -> Option<FaceStrip> {
         let (jet, frame) = self.frame(uv, reversed)?;
+        let cc = CcPoint { point: jet.p, frame, posture: self.posture };
+        if !self.fits(&Station { cc, cl: cl_of(self.cutter, &cc) }, uv) {
+            return None;
+        }
         let k = Curvature::of(&jet, &frame)?;
         let geodesic = self.field.geodesic_curvature(&jet, &frame, k.ff);
         let geodesic = if geodesic.is_finite() { geodesic } else { 0.0 };
         let spin = frame.f * k.fb - frame.b * k.ff + frame.n * geodesic;
-        let cc = CcPoint { point: jet.p, frame, posture: self.posture };
         // Chords over a hollow run above the path by up to the chord tolerance, and the cusps with them.
         let lift = if k.ff > 0.0 { self.finish.chord } else { 0.0 };
         let limits = StripLimits { scallop: self.finish.scallop - lift, gouge: GOUGE };
         let strip = face_strip(self.face, self.cutter, &cc, uv, spin, limits)?;
         let gouges = matches!(strip.left, Edge::Gouge(_)) || matches!(strip.right, Edge::Gouge(_));
-        let station = Station { cc, cl: cl_of(self.cutter, &cc) };
-        (!gouges && self.fits(&station, uv)).then_some(strip)
+        (!gouges).then_some(strip)
     }
 
     /// What the cutter does at `uv`.

@@ -1,7 +1,7 @@
 //! Stations along a level line, as far apart as the chord tolerance allows.
 
 use super::probe::{GOUGE, Setup};
-use crate::contact::{cl_of, contact_of};
+use crate::contact::{Edge, cl_of, contact_of};
 use crate::geometry::{Curvature, IsoLine, Range, Uv};
 use crate::math::frame::Frame;
 use crate::toolpath::{CcPoint, ClPoint, Pass, Station};
@@ -172,7 +172,7 @@ impl Walker<'_> {
         // The border leans by the first, the strip by the second; where either is extreme, going all the way would cost
         // more than it finishes.
         let border_lean = (border.dot(frame.f) / border.dot(frame.b)).abs();
-        let strip_lean = libm::tan(end.cc.posture.yaw).abs();
+        let strip_lean = self.strip_lean(uv, end);
         let lean = [border_lean, strip_lean].map(|l| if l < 6.0 { l } else { 0.0 });
         let way = self.setup.strip * (0.15 + 0.6 * (lean[0] + lean[1]));
         let Some(k) = Curvature::of(&jet, &frame) else { return Vec::new() };
@@ -191,5 +191,21 @@ impl Walker<'_> {
             self.setup.is_off(&station.cl).then_some(station)
         };
         (1..=count).map_while(beyond).collect()
+    }
+
+    /// How far the strip at `end` lies aslant: what its edges are ahead or behind the contact, as a share of what they
+    /// are beside it, the larger of the two.
+    fn strip_lean(&self, uv: Uv, end: &Station) -> f64 {
+        let Some(strip) = self.setup.strip(uv, self.reversed) else { return 0.0 };
+        let frame = end.cc.frame;
+        let lean = |edge: Edge| match edge {
+            Edge::Reached(foot) | Edge::Border(foot) => {
+                let away = self.setup.face.surface.point(foot) - end.cc.point;
+                (away.dot(frame.f) / away.dot(frame.b)).abs()
+            }
+            Edge::Gouge(_) => 0.0,
+        };
+        // A border right at the contact gives no direction.
+        [lean(strip.left), lean(strip.right)].into_iter().filter(|l| l.is_finite()).fold(0.0, f64::max)
     }
 }

@@ -1,0 +1,215 @@
+//! How far apart whole passes lie: each as far from the last as its strips allow.
+
+use super::StrategyError;
+use super::family::{Candidate, Detail, Family};
+use super::probe::{Probe, Reach};
+use super::spacing::{Front, Toward};
+use crate::geometry::Field;
+use crate::monitor::{Cancelled, Stage};
+
+/// Most passes of one plan: beyond it the limit and the part do not fit each other.
+const MOST_PASSES: usize = 20_000;
+
+/// The share of a strip's reach to one side that is trusted to be there on the other, towards a corner where no node
+/// measures it: on a bent face planes cut the two sides at different slopes.
+const CORNER: f64 = 0.85;
+
+/// The share of a pass's columns that may be left to partial passes.
+const OPEN: f64 = 0.1;
+/// How much farther, as a share of the step, a pass must come for that: partial passes cost lifts and scars.
+const WORTH: f64 = 0.4;
+
+impl Family<'_> {
+    /// The lines on which whole passes run, lowest first.
+    pub(super) fn place(&self, stage: &Stage) -> Result<Vec<Candidate>, StrategyError> {
+        let first = self.first(stage)?;
+        let start = self.front(&first, Toward::Lower).raised(self.levels.length());
+        let mut placed = vec![first];
+        let mut guess = self.nominal;
+        while let Some(last) = placed.last() {
+            let from = last.level;
+            stage.at((from - self.levels.lo) / self.levels.length())?;
+            let front = self.front(last, Toward::Higher);
+            let done = if self.levels.periodic {
+                front.gaps(&start).all_but(0.0).is_some_and(|gap| gap <= 0.0)
+            } else {
+                self.ends_family(last, Toward::Higher)
+            };
+            if done || from >= self.levels.hi - self.margin() {
+                break;
+            }
+            if placed.len() >= MOST_PASSES {
+                let why = "raise the scallop limit, or take a larger cutter".into();
+                return Err(StrategyError::TooMany { most: MOST_PASSES, why });
+            }
+            let next = self.next(&front, from, guess, placed.len(), stage)?;
+            // The next step is looked for near this one, but never so near that an odd spot slows down all that follow.
+            guess = (next.level - from).max(0.1 * self.nominal);
+            placed.push(next);
+        }
+        Ok(placed)
+    }
+
+    /// The first pass: as far in as its strips still run over the border everywhere.
+    fn first(&self, stage: &Stage) -> Result<Candidate, Cancelled> {
+        let lo = self.levels.lo;
+        let edge = self.candidate(lo, 0, Detail::Full, stage)?;
+        if self.levels.periodic {
+            return Ok(edge);
+        }
+        let fits = |c: &Candidate| self.ends_family(c, Toward::Lower);
+        let mut best = edge;
+        let (mut inside, mut outside) = (0.0, (2.0 * self.nominal).min(self.levels.length()));
+        // A thousandth of the first strip is nothing in the length of a path.
+        for _ in 0..12 {
+            let middle = 0.5 * (inside + outside);
+            let candidate = self.candidate(lo + middle, 0, Detail::Full, stage)?;
+            if fits(&candidate) {
+                (inside, best) = (middle, candidate);
+            } else {
+                outside = middle;
+            }
+        }
+        Ok(best)
+    }
+
+    /// The next pass after the one at `from`.
+    ///
+    /// The farthest whose strips meet `front` everywhere; or, where a few odd columns would hold up the whole pass, the
+    /// farthest whose strips meet it nearly everywhere, and the rest is filled by partial passes.
+    fn next(
+        &self,
+        front: &Front,
+        from: f64,
+        guess: f64,
+        index: usize,
+        stage: &Stage,
+    ) -> Result<Candidate, Cancelled> {
+        // Found on a few columns first; all columns then have the last word.
+        let sketch = |guess, open| self.farthest(front, (from, guess), open, (index, Detail::Sketch), stage);
+        let strict = sketch(guess, 0.0)?;
+        let mut step = strict.level - from;
+        let mut open = 0.0;
+        let overlap = front.gaps(&self.front(&strict, Toward::Lower)).all_but(OPEN).unwrap_or(0.0);
+        if overlap <= -WORTH * step {
+            let loose = sketch(step - overlap, OPEN)?;
+            if loose.level - from > (1.0 + WORTH) * step {
+                (step, open) = (loose.level - from, OPEN);
+            }
+        }
+        self.farthest(front, (from, step), open, (index, Detail::Full), stage)
+    }
+
+    /// The farthest pass whose strips meet `front` in all but the share `open` of their columns.
+    fn farthest(
+        &self,
+        front: &Front,
+        (from, guess): (f64, f64),
+        open: f64,
+        (index, detail): (usize, Detail),
+        stage: &Stage,
+    ) -> Result<Candidate, Cancelled> {
+        let most = self.levels.length() - (from - self.levels.lo);
+        let gap_at = |step: f64| -> Result<(Option<f64>, Candidate), Cancelled> {
+            let candidate = self.candidate(from + step, index, detail, stage)?;
+            Ok((front.gaps(&self.front(&candidate, Toward::Lower)).all_but(open), candidate))
+        };
+        let least = 0.05 * self.nominal;
+        // The gap grows nearly linearly with the step; a percent of a step is less than a percent of the path.
+        let tolerance = 0.01;
+        let (mut low, mut low_gap) = (0.0, -guess);
+        let mut best: Option<Candidate> = None;
+        let mut high = None;
+        let mut step = guess.min(most);
+        for _ in 0..40 {
+            let (gap, candidate) = gap_at(step)?;
+            match gap {
+                // Nothing lies abreast: this pass or the last cannot be cut anywhere, and neither bounds the step.
+                None => return Ok(candidate),
+                Some(gap) if gap > 0.0 => {
+                    high = Some((step, gap));
+                    break;
+                }
+                Some(gap) if gap > -tolerance * step => return Ok(candidate),
+                Some(gap) => (low, low_gap, best) = (step, gap, Some(candidate)),
+            }
+            if step >= most {
+                break;
+            }
+            step = (step * 1.3).min(most);
+        }
+        let Some((mut high, mut high_gap)) = high else {
+            return match (detail, best) {
+                (Detail::Sketch, Some(candidate)) => Ok(candidate),
+                (_, best) => self.last(best, low, from, index, stage),
+            };
+        };
+        for k in 0..30 {
+            if (low > 0.0 && high - low < tolerance * high) || high < least {
+                break;
+            }
+            let secant = (high_gap * low - low_gap * high) / (high_gap - low_gap);
+            // Aim a little below the root, so that what comes back is mostly a step that holds.
+            let aim = if k % 4 == 3 { 0.5 * (low + high) } else { secant - 0.3 * tolerance * high };
+            let step = aim.clamp(low + 0.05 * (high - low), high - 0.05 * (high - low));
+            let (gap, candidate) = gap_at(step)?;
+            match gap {
+                Some(gap) if gap > 0.0 => (high, high_gap) = (step, gap),
+                Some(gap) => {
+                    (low, low_gap, best) = (step, gap, Some(candidate));
+                    if gap > -tolerance * step {
+                        break;
+                    }
+                }
+                None => (low, best) = (step, Some(candidate)),
+            }
+        }
+        match best {
+            Some(candidate) => Ok(candidate),
+            // No step worth a whole pass closes the gap: go on by the least, and leave the rest to partial passes.
+            None => self.candidate(from + least.min(most), index, detail, stage),
+        }
+    }
+
+    /// The last pass: as far from the border as its strips still run over it everywhere.
+    fn last(
+        &self,
+        at_border: Option<Candidate>,
+        step: f64,
+        from: f64,
+        index: usize,
+        stage: &Stage,
+    ) -> Result<Candidate, Cancelled> {
+        let mut best = match at_border {
+            Some(candidate) => candidate,
+            None => self.candidate(self.levels.hi, index, Detail::Full, stage)?,
+        };
+        let (mut outside, mut inside) = (0.0, step);
+        for _ in 0..10 {
+            let middle = 0.5 * (inside + outside);
+            let candidate = self.candidate(from + middle, index, Detail::Full, stage)?;
+            if self.ends_family(&candidate, Toward::Higher) {
+                (inside, best) = (middle, candidate);
+            } else {
+                outside = middle;
+            }
+        }
+        Ok(best)
+    }
+
+    /// Whether nothing is left beyond the pass on that side: its strips run over the border everywhere, and a corner that
+    /// the family of planes ends in lies no farther away than the strips reach to the other side.
+    fn ends_family(&self, candidate: &Candidate, toward: Toward) -> bool {
+        let (end, back) = match toward {
+            Toward::Lower => (self.levels.lo, Toward::Higher),
+            Toward::Higher => (self.levels.hi, Toward::Lower),
+        };
+        let away = (candidate.level - end).abs();
+        let reaches = |p: &Probe| match p.reach(back) {
+            Some(Reach::To { level, .. }) => CORNER * (level - candidate.level).abs() >= away,
+            Some(Reach::Border { .. }) | None => true,
+        };
+        let corner = matches!(self.setup.field, Field::Along(_));
+        candidate.runs_over_border(toward) && (!corner || candidate.probes.iter().flatten().all(reaches))
+    }
+}
