@@ -60,6 +60,7 @@ pub fn face_strip(
     let surface = Curvature::of(&jet, &cc.frame)?;
     let expected = 0.5 * second_order_strip_width(cutter, cc.posture, &surface, limits.scallop);
     let sweep = Sweep::new(cutter, cc, cc.frame.f, spin);
+    let domain = face.domain();
     let edge = |left: bool| {
         let sign = if left { 1.0 } else { -1.0 };
         let toward = sweep.left(cc.frame.b) * sign;
@@ -76,21 +77,16 @@ pub fn face_strip(
             HalfStrip::Whole { .. } => Edge::Reached(foot.uv),
             HalfStrip::Border { theta } => {
                 let last = foot.at(sweep.point(theta));
-                if near_border(face, last) { Edge::Border(last) } else { Edge::Reached(last) }
+                if domain.u.is_near_end(last.u) || domain.v.is_near_end(last.v) {
+                    Edge::Border(last)
+                } else {
+                    Edge::Reached(last)
+                }
             }
             HalfStrip::Gouge { height } => Edge::Gouge(height),
         }
     };
     Some(FaceStrip { left: edge(true), right: edge(false) })
-}
-
-/// Whether `uv` lies within a hundredth of the domain of a border.
-fn near_border(face: &Face, uv: Uv) -> bool {
-    let domain = face.domain();
-    let near = |range: crate::geometry::Range, x: f64| {
-        !range.periodic && (x - range.lo).min(range.hi - x) < 0.01 * range.length()
-    };
-    near(domain.u, uv.u) || near(domain.v, uv.v)
 }
 
 /// The foot of a moving point on a face, followed from call to call.

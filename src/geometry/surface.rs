@@ -61,6 +61,11 @@ impl Range {
         }
     }
 
+    /// Whether `x` lies within a hundredth of the interval of one of its ends; never so where periodic.
+    pub fn is_near_end(&self, x: f64) -> bool {
+        !self.periodic && (x - self.lo).min(self.hi - x) < 0.01 * self.length()
+    }
+
     /// Whether `x` lies in the interval; always so where periodic.
     pub fn contains(&self, x: f64) -> bool {
         self.periodic || (self.lo <= x && x <= self.hi)

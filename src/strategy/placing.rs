@@ -14,10 +14,9 @@ const MOST_PASSES: usize = 20_000;
 /// measures it: on a bent face planes cut the two sides at different slopes.
 const CORNER: f64 = 0.85;
 
-/// The share of a pass's columns that may be left to partial passes.
-const OPEN: f64 = 0.1;
-/// How much farther, as a share of the step, a pass must come for that: partial passes cost lifts and scars.
-const WORTH: f64 = 0.4;
+/// Shares of a pass's columns that may be left to partial passes, each with how much farther, as a share of the step, a
+/// pass must come for that: partial passes cost lifts and scars.
+const OPEN: [(f64, f64); 2] = [(0.1, 0.4), (0.5, 1.5)];
 
 impl Family<'_> {
     /// The lines on which whole passes run, lowest first.
@@ -90,11 +89,15 @@ impl Family<'_> {
         let strict = sketch(guess, 0.0)?;
         let mut step = strict.level - from;
         let mut open = 0.0;
-        let overlap = front.gaps(&self.front(&strict, Toward::Lower)).all_but(OPEN).unwrap_or(0.0);
-        if overlap <= -WORTH * step {
-            let loose = sketch(step - overlap, OPEN)?;
-            if loose.level - from > (1.0 + WORTH) * step {
-                (step, open) = (loose.level - from, OPEN);
+        let mut held = strict;
+        for (share, worth) in OPEN {
+            let overlap = front.gaps(&self.front(&held, Toward::Lower)).all_but(share).unwrap_or(0.0);
+            if overlap <= -worth * step {
+                let loose = sketch(step - overlap, share)?;
+                if loose.level - from > (1.0 + worth) * step {
+                    (step, open) = (loose.level - from, share);
+                    held = loose;
+                }
             }
         }
         self.farthest(front, (from, step), open, (index, Detail::Full), stage)

@@ -108,16 +108,27 @@ impl Setup<'_> {
 
     fn reach(&self, edge: Edge, contact: Uv) -> Option<Reach> {
         match edge {
-            Edge::Reached(uv) => {
+            // A strip that lies aslant leaves over the ends of its line: there it still ends at a level.
+            Edge::Border(uv) if self.ends_levels(uv) => {
+                let point = self.face.surface.point(contact);
+                Some(Reach::Border { column: self.column.value(contact, point), point })
+            }
+            Edge::Reached(uv) | Edge::Border(uv) => {
                 let point = self.face.surface.point(uv);
                 let (level, column) = (self.field.value(uv, point), self.column.value(uv, point));
                 Some(Reach::To { level, column, point })
             }
-            Edge::Border(_) => {
-                let point = self.face.surface.point(contact);
-                Some(Reach::Border { column: self.column.value(contact, point), point })
-            }
             Edge::Gouge(_) => None,
+        }
+    }
+
+    /// Whether the border at `uv` is one that the levels end at. Where planes cut a face aslant, any border is.
+    fn ends_levels(&self, uv: Uv) -> bool {
+        let domain = self.face.domain();
+        match self.field {
+            Field::U => domain.u.is_near_end(uv.u),
+            Field::V => domain.v.is_near_end(uv.v),
+            Field::Along(_) => true,
         }
     }
 
