@@ -57,7 +57,9 @@ impl Positions {
                 let n = (a.distance(b) / step).ceil().max(1.0) as u32;
                 for i in 0..=n {
                     let p = a.lerp(b, f64::from(i) / f64::from(n));
-                    let (i, j) = ((p.x / cell) as i64, (p.y / cell) as i64);
+                    // Beyond the border the axis belongs to the squares beside it.
+                    let at = |c: f64| ((c / cell).floor() as i64).clamp(0, columns - 1);
+                    let (i, j) = (at(p.x), at(p.y));
                     squares[(i * columns + j) as usize].push(p);
                 }
             }
@@ -125,13 +127,13 @@ fn cusps_keep_the_limit_outside_the_zone_and_nothing_gouges() {
     let mesh = field(size, 0.5, hills);
     for (r1, r, angle) in [(1.0, 2.0, 0.0), (0.0, 3.0, 0.7)] {
         let cutter = Cutter::bull_nose(2.0 * (r1 + r), r, 40.0).unwrap();
-        let plan = plan(&mesh, &cutter, &RasterOptions { angle, scallop, chord: 0.001 }, 2);
+        let plan = plan(&mesh, &cutter, &RasterOptions { angle, scallop, chord: 0.001, bridge: 8.0 }, 2);
         let at = Positions::new(&plan, 0.05, 1.0, size);
         let (mut checked, mut zone, mut needless) = (0, 0, 0);
         for (p, n) in samples(&mesh, 4) {
             let (excess, gouge) = excess_and_gouge(&at, p, n, r1, r);
             assert!(gouge < 1e-3, "{gouge} mm too deep at {p}");
-            if plan.unreached.contains(p) {
+            if plan.unreached.contains(p) || plan.unseen.contains(p) {
                 zone += 1;
                 needless += usize::from(excess < 0.7 * scallop);
                 continue;
@@ -140,7 +142,7 @@ fn cusps_keep_the_limit_outside_the_zone_and_nothing_gouges() {
             // The positions themselves are 0.05 mm apart: that adds 0.05²/8r.
             assert!(excess < scallop + 2e-4, "{excess} mm left at {p} normal {n}");
         }
-        // The groove, and what falls outwards at the border, since the axis stays over the mesh.
+        // The groove; at the border the axis goes beyond it.
         assert!(zone > 0 && zone < checked, "{zone} in the zone, {checked} outside");
         // Cubes at the zone's rim also hold what is finished.
         assert!(needless * 4 < zone, "{needless} of {zone} in the zone are finished");
@@ -153,7 +155,7 @@ fn level_ground_needs_only_the_first_lines() {
     let plan = plan(
         &field(20.0, 5.0, |_, _| 1.0),
         &cutter,
-        &RasterOptions { angle: 0.0, scallop: 0.05, chord: 0.001 },
+        &RasterOptions { angle: 0.0, scallop: 0.05, chord: 0.001, bridge: 8.0 },
         1,
     );
     // 20 mm by 2 (1 + √(2·2·0.044)) = 2.84 mm.
@@ -162,13 +164,14 @@ fn level_ground_needs_only_the_first_lines() {
         assert_eq!(pass.stations.len(), 2, "level passes are one move");
         assert!(pass.stations.iter().all(|s| s.cl.tip.z == 1.0 && s.cc.posture.lead == 0.0));
     }
-    assert!(plan.unreached.is_empty());
+    assert!(plan.unreached.is_empty() && plan.unseen.is_empty());
+    assert!((plan.seen_area - 400.0).abs() < 4.0);
 }
 
 #[test]
 fn stations_touch_where_they_say() {
     let cutter = Cutter::bull_nose(6.0, 2.0, 40.0).unwrap();
-    let options = RasterOptions { angle: 0.4, scallop: 0.1, chord: 0.002 };
+    let options = RasterOptions { angle: 0.4, scallop: 0.1, chord: 0.002, bridge: 8.0 };
     let plan = plan(&field(12.0, 0.5, hills), &cutter, &options, 1);
     for station in plan.passes.iter().flat_map(|p| &p.stations) {
         let (cc, cl) = (station.cc, station.cl);
@@ -185,7 +188,7 @@ fn stations_touch_where_they_say() {
 #[test]
 fn workers_do_not_change_the_result() {
     let cutter = Cutter::ball(6.0, 40.0).unwrap();
-    let options = RasterOptions { angle: 0.2, scallop: 0.1, chord: 0.002 };
+    let options = RasterOptions { angle: 0.2, scallop: 0.1, chord: 0.002, bridge: 8.0 };
     let mesh = field(10.0, 0.5, hills);
     assert_eq!(plan(&mesh, &cutter, &options, 1), plan(&mesh, &cutter, &options, 3));
 }
@@ -193,7 +196,7 @@ fn workers_do_not_change_the_result() {
 #[test]
 fn impossible_options_name_the_field() {
     let cutter = Cutter::ball(6.0, 40.0).unwrap();
-    let good = RasterOptions { angle: 0.0, scallop: 0.1, chord: 0.001 };
+    let good = RasterOptions { angle: 0.0, scallop: 0.1, chord: 0.001, bridge: 8.0 };
     for (options, wanted) in [
         (RasterOptions { scallop: 0.0, ..good }, "scallop"),
         (RasterOptions { chord: 0.06, ..good }, "chord"),
@@ -204,4 +207,53 @@ fn impossible_options_name_the_field() {
     }
     let nothing = raster(&TriMesh::default(), &cutter, &good, &Stage::silent()).unwrap();
     assert!(nothing.passes.is_empty() && nothing.unreached.is_empty());
+}
+
+/// Across a slope `s` the rim of a flat cutter leaves a sawtooth: lines `d` apart leave `d sin s` along the normal.
+#[test]
+fn a_flat_cutter_leaves_a_sawtooth_on_a_slope() {
+    let (slope, size, scallop, radius) = (0.3, 12.0, 0.2, 3.0);
+    let mesh = field(size, 3.0, |_, y| y * libm::tan(slope));
+    let cutter = Cutter::flat(2.0 * radius, 40.0).unwrap();
+    let plan = plan(&mesh, &cutter, &RasterOptions { angle: 0.0, scallop, chord: 0.002, bridge: 8.0 }, 2);
+    let mut lines: Vec<f64> = plan.passes.iter().map(|p| p.stations[0].cl.tip.y).collect();
+    lines.dedup();
+    let widest = lines.windows(2).map(|w| w[1] - w[0]).fold(0.0, f64::max);
+    // Halved until it is enough, and no more often.
+    let left = widest * libm::sin(slope);
+    assert!(left <= 0.9 * scallop && left > 0.4 * scallop, "{left}");
+    // Over the mesh the uphill rim touches.
+    let tips = plan.passes.iter().flat_map(|p| &p.stations).map(|s| s.cl.tip);
+    for tip in tips.filter(|t| (0.0..=size).contains(&t.x)) {
+        let rim = (tip.y + radius).min(size);
+        assert!((tip.z - rim * libm::tan(slope)).abs() < 1e-6, "{tip}");
+    }
+    // The uphill rim goes to both borders: all is finished, and that takes the axis beyond the lower one.
+    assert!(plan.unreached.is_empty() && lines[0] < 0.0, "{} {lines:?}", plan.unreached.area());
+}
+
+/// Ground that falls off towards the border is finished to its end, from beyond it.
+#[test]
+fn the_cutter_runs_past_the_border_where_ground_needs_it() {
+    let (size, scallop) = (14.0, 0.1);
+    let dome = |x: f64, y: f64| 40.0 - 0.06 * ((x - 7.0) * (x - 7.0) + (y - 7.0) * (y - 7.0));
+    let cutter = Cutter::ball(6.0, 40.0).unwrap();
+    let options = RasterOptions { angle: 0.0, scallop, chord: 0.002, bridge: 8.0 };
+    let plan = plan(&field(size, 0.5, dome), &cutter, &options, 2);
+    assert!(plan.unreached.is_empty(), "{} mm²", plan.unreached.area());
+    let tips = || plan.passes.iter().flat_map(|p| &p.stations).map(|s| s.cl.tip);
+    let beyond = tips().map(|t| (-t.x).max(t.x - size).max(-t.y).max(t.y - size)).fold(0.0, f64::max);
+    assert!(beyond > 1.0 && beyond <= 3.0, "{beyond}");
+}
+
+/// What cannot be held in memory is refused with the limit that would do.
+#[test]
+fn too_fine_a_limit_says_what_would_do() {
+    let cutter = Cutter::ball(6.0, 40.0).unwrap();
+    let mesh = field(1000.0, 500.0, |_, _| 0.0);
+    let options = RasterOptions { angle: 0.0, scallop: 0.001, chord: 0.0005, bridge: 8.0 };
+    let Err(RasterError::TooFine { least }) = raster(&mesh, &cutter, &options, &Stage::silent()) else {
+        panic!("accepted");
+    };
+    assert!(least > 0.01 && least <= 0.1, "{least}");
 }

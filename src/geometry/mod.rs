@@ -4,6 +4,7 @@
 //! normals to curvature, is read off the jet.
 
 mod analytic;
+mod cubes;
 mod curvature;
 mod face;
 mod field;
@@ -17,6 +18,7 @@ mod surface;
 mod zone;
 
 pub use analytic::{Cone, Cylinder, Plane, Sphere, Torus};
+pub use cubes::Cubes;
 pub use curvature::{Curvature, Principal};
 pub use face::{Face, Side};
 pub use field::Field;

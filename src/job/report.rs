@@ -52,6 +52,9 @@ pub struct Unreachable {
     pub area_mm2: f64,
     /// Edge of the cubes that it is drawn with.
     pub cell_mm: f64,
+    /// Area of what an upright cutter does not even see: walls, undersides, what lies below other facets. Not counted in
+    /// `area_mm2`; left out of the figures of [`Verified`] too.
+    pub unseen_mm2: f64,
 }
 
 /// What the simulation of the emitted text found.

@@ -22,6 +22,8 @@ pub struct Plan {
     spec: Spec,
     shape: Shape,
     planned: Planned,
+    /// What an upright cutter does not see; empty for a posture that follows the surface.
+    unseen: Zone,
     warnings: Vec<String>,
     /// The program as APT cutter-location text.
     pub apt: String,
@@ -52,8 +54,11 @@ pub fn plan(spec: &Spec, bytes: Option<&[u8]>, stage: &Stage) -> Result<Plan, Jo
     let cutter = spec.cutter.cutter()?;
     let (shape, mut warnings) = spec.source.shape(bytes)?;
     let planning = stage.part("Planning", 0.02, 0.95);
-    let (planned, linked) = match &shape {
-        Shape::Face(face) => on_face(spec, face, &cutter, &planning)?,
+    let (planned, linked, unseen) = match &shape {
+        Shape::Face(face) => {
+            let (planned, linked) = on_face(spec, face, &cutter, &planning)?;
+            (planned, linked, Zone::empty())
+        }
         Shape::Mesh(mesh) => on_mesh(spec, mesh, &cutter, &planning)?,
     };
     let program = Program {
@@ -74,11 +79,18 @@ pub fn plan(spec: &Spec, bytes: Option<&[u8]>, stage: &Stage) -> Result<Plan, Jo
             planned.unreached.area()
         ));
     }
+    if unseen.area() > 0.0 {
+        warnings.push(format!(
+            "{:.2} mm² are not seen from above (walls, undersides, what lies below other facets) and left as they are",
+            unseen.area()
+        ));
+    }
     stage.at(1.0)?;
     Ok(Plan {
         spec: spec.clone(),
         shape,
         planned,
+        unseen,
         warnings,
         nc: post::gcode::write(&program).ok(),
         csv: post::csv::write(&emitted.toolpath),
@@ -100,12 +112,12 @@ impl Plan {
         if !verify.enabled {
             return Ok(None);
         }
-        let unreached = &self.planned.unreached;
+        let unreached = self.planned.unreached.joined(&self.unseen);
         let picture = self.shape.picture_samples()?;
         let samples = self.shape.samples(verify.spacing_mm)?;
         let scallop = self.spec.tolerance.scallop_mm;
         let options = Options {
-            excluded: (!unreached.is_empty()).then_some(unreached),
+            excluded: (!unreached.is_empty()).then_some(&unreached),
             ..Options::for_height(scallop, &self.emitted.cutter)
         };
         let drawn = Options { most_refined: 0, ..options };
@@ -142,6 +154,7 @@ impl Plan {
             unreachable: Unreachable {
                 area_mm2: planned.unreached.area(),
                 cell_mm: planned.unreached.cell(),
+                unseen_mm2: self.unseen.area(),
             },
             verified: proof.map(|p| p.verified.clone()),
             warnings: self.warnings.clone(),
@@ -190,14 +203,19 @@ fn on_mesh(
     mesh: &TriMesh,
     cutter: &Cutter,
     stage: &Stage,
-) -> Result<(Planned, Linked), JobError> {
+) -> Result<(Planned, Linked, Zone), JobError> {
     let StrategySpec::Raster { angle_deg, order } = spec.strategy else {
         let message = "must be raster: this shape is a mesh, which has no parameters".into();
         return Err(JobError::field("strategy.kind", message));
     };
     let finish = spec.finish()?;
-    let options =
-        RasterOptions { angle: angle_deg.to_radians(), scallop: finish.scallop, chord: finish.chord };
+    let options = RasterOptions {
+        angle: angle_deg.to_radians(),
+        scallop: finish.scallop,
+        chord: finish.chord,
+        // Up at feed, across, and down at plunge feed.
+        bridge: spec.links.lift_mm * (2.0 + spec.feeds.cut_mm_per_min / spec.feeds.plunge_mm_per_min),
+    };
     let raster = strategy::raster(mesh, cutter, &options, &stage.part("Planning", 0.0, 0.95)).map_err(
         |e| match e {
             RasterError::Cancelled(cancelled) => JobError::Cancelled(cancelled),
@@ -209,6 +227,7 @@ fn on_mesh(
                 };
                 JobError::Field { field, message: message.into() }
             }
+            RasterError::TooFine { .. } => JobError::field("tolerance.scallop_mm", e.to_string()),
         },
     )?;
     if raster.passes.is_empty() {
@@ -222,7 +241,7 @@ fn on_mesh(
     let is_clear = |cl: &ClPoint| !is_in_mesh(&lowered, &under, cl.tip - DVec3::Z * LOOK);
     let refuge = Refuge::Above(top + how.clearance);
     let linked = strategy::link(&passes, &how, &refuge, &is_clear, &stage.part("Joining passes", 0.95, 1.0))?;
-    Ok((Planned { passes, unreached: raster.unreached }, linked))
+    Ok((Planned { passes, unreached: raster.unreached }, linked, raster.unseen))
 }
 
 /// The shape of `spec` to draw before anything is planned.

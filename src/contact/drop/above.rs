@@ -30,12 +30,13 @@ impl DropMesh {
         seen
     }
 
-    /// The stretches of x, in rising order, over which the line along x at `y` has mesh below it.
-    pub fn covered(&self, y: f64) -> Vec<(f64, f64)> {
+    /// The stretches of x, in rising order, over which a level disc of radius `beyond` (mm, 0 or more) around a point of
+    /// the line along x at `y` has mesh above or below it.
+    pub fn covered(&self, y: f64, beyond: f64) -> Vec<(f64, f64)> {
         let mut spans = Vec::new();
         let slab = Aabb {
-            lo: DVec3::new(f64::NEG_INFINITY, y, f64::NEG_INFINITY),
-            hi: DVec3::new(f64::INFINITY, y, f64::INFINITY),
+            lo: DVec3::new(f64::NEG_INFINITY, y - beyond, f64::NEG_INFINITY),
+            hi: DVec3::new(f64::INFINITY, y + beyond, f64::INFINITY),
         };
         self.tree.visit_places(
             |b| b.meets(&slab),
@@ -43,12 +44,8 @@ impl DropMesh {
                 let corners = &self.facets[place].corners;
                 let mut span = (f64::INFINITY, f64::NEG_INFINITY);
                 for i in 0..3 {
-                    let (a, b) = (corners[i], corners[(i + 1) % 3]);
-                    if (a.y - y) * (b.y - y) <= 0.0 {
-                        let t = if a.y == b.y { 0.0 } else { (y - a.y) / (b.y - a.y) };
-                        let x = a.x + (b.x - a.x) * t;
-                        span = (span.0.min(x), span.1.max(x));
-                    }
+                    let (a, b) = (corners[i].truncate(), corners[(i + 1) % 3].truncate());
+                    round_edge(a, b, y, beyond, &mut span);
                 }
                 if span.0 < span.1 {
                     spans.push(span);
@@ -64,6 +61,25 @@ impl DropMesh {
             }
         }
         merged
+    }
+}
+
+/// Widens `span` by the x at which points at `y` are no farther than `beyond` from the edge from `a` to `b`. What lies
+/// between the edges of one triangle need not be asked for: of a convex shape's neighbourhood a line meets one stretch.
+fn round_edge(a: DVec2, b: DVec2, y: f64, beyond: f64, span: &mut (f64, f64)) {
+    let mut widen = |x: f64| *span = (span.0.min(x), span.1.max(x));
+    let off = a.y - y;
+    let half = beyond * beyond - off * off;
+    if half >= 0.0 {
+        widen(a.x - half.sqrt());
+        widen(a.x + half.sqrt());
+    }
+    let side = (b - a).normalize_or_zero().perp() * beyond;
+    for (a, b) in [(a - side, b - side), (a + side, b + side)] {
+        if (a.y - y) * (b.y - y) <= 0.0 {
+            let t = if a.y == b.y { 0.0 } else { (y - a.y) / (b.y - a.y) };
+            widen(a.x + (b.x - a.x) * t);
+        }
     }
 }
 

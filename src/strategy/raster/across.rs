@@ -1,58 +1,133 @@
 //! Where lines must be inserted, and what stays out of reach.
 
 use super::cut::Lines;
-use super::line::Lowering;
-use super::reach::{Closing, Spot};
-use crate::geometry::TriMesh;
+use super::ground::{Ground, Patch};
+use super::reach::Spot;
+use super::rest;
+use super::turn::Turn;
+use crate::geometry::Cubes;
 use crate::monitor::{Cancelled, Stage};
-use glam::{DVec2, DVec3};
-
-/// How finely the mesh is looked at, mm.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Grain {
-    /// Along the lines.
-    pub along: f64,
-    /// Across them.
-    pub across: f64,
-}
-
-/// Slower than this steep, the normal's z: such facets are walls.
-pub(super) const WALL: f64 = 0.02;
-
-/// On steep ground the steps across shrink with the normal's z, down to this.
-const STEEPEST_STEP: f64 = 0.2;
-
-/// What must be left below.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Limits {
-    /// What the lines may leave, mm.
-    pub lines: f64,
-    /// What any single position of the cutter must be able to stay below for a spot to count as within reach, mm.
-    pub single: f64,
-}
+use glam::DVec2;
 
 /// A spot that the lines so far leave too high, and where the axis must go for it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Wanting {
     pub spot: Spot,
     pub axis: DVec2,
-    /// The place across at which a line was last inserted for it.
-    pub asked: Option<u32>,
+    pub asked: Asked,
 }
 
-/// The spots that the lines leave too high, and those out of reach.
+/// What was last tried for a spot that is too high.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Asked {
+    Nothing,
+    /// A line at this place, halfway between two others.
+    Halfway(u32),
+    /// A line where the axis must go.
+    There,
+}
+
+/// What a first look at all that is seen from above finds.
 #[derive(Debug, Default)]
 pub(super) struct Survey {
     pub wanting: Vec<Wanting>,
-    pub unreached: Vec<Spot>,
+    /// For every slice and patch whether it is out of reach.
+    pub out: Vec<Vec<bool>>,
+    /// Area seen, mm².
+    pub seen: f64,
+    /// Area out of reach, mm².
+    pub beyond: f64,
 }
 
-/// What is cut and with what.
-#[derive(Clone, Copy)]
-pub(super) struct Ground<'a> {
-    pub mesh: &'a TriMesh,
-    pub lowering: &'a Lowering<'a>,
-    pub best: &'a Closing,
+/// Looks at one spot a patch.
+pub(super) fn survey(ground: &Ground<'_>, lines: &Lines, stage: &Stage<'_>) -> Result<Survey, Cancelled> {
+    let slices = stage.map(ground.slices().0, |i| {
+        let mut survey = Survey::default();
+        let patches = ground.patches(i);
+        let mut found: Vec<Option<Found>> = vec![None; patches.len()];
+        let look = |k: usize| ground.look(lines, &patches[k].spot);
+        for k in 0..patches.len() {
+            // Between patches out of reach every other one is taken for granted.
+            let amid = k >= 2 && found[k - 1] == Some(Found::OutOfReach) && k + 1 < patches.len();
+            if amid && found[k - 2] == Some(Found::OutOfReach) && found[k].is_none() {
+                let next = look(k + 1);
+                found[k + 1] = Some(next);
+                found[k] = Some(if next == Found::OutOfReach { next } else { look(k) });
+            } else if found[k].is_none() {
+                found[k] = Some(look(k));
+            }
+        }
+        let mut out = Vec::with_capacity(patches.len());
+        for (patch, found) in patches.iter().zip(found) {
+            let area = ground.area(patch);
+            survey.seen += area;
+            out.push(found == Some(Found::OutOfReach));
+            match found {
+                None | Some(Found::Low) => {}
+                Some(Found::Wanting(axis)) => {
+                    survey.wanting.push(Wanting { spot: patch.spot, axis, asked: Asked::Nothing });
+                }
+                Some(Found::OutOfReach) => survey.beyond += area,
+            }
+        }
+        survey.out.push(out);
+        survey
+    })?;
+    let mut all = Survey::default();
+    for slice in slices {
+        all.wanting.extend(slice.wanting);
+        all.out.extend(slice.out);
+        all.seen += slice.seen;
+        all.beyond += slice.beyond;
+    }
+    Ok(all)
+}
+
+/// Looks closely wherever a look at one spot a patch was not sure, and collects what is out of reach: `out` tells for
+/// every slice and patch whether it is.
+pub(super) fn survey_closely(
+    ground: &Ground<'_>,
+    lines: &Lines,
+    out: &[Vec<bool>],
+    cubes: &Cubes,
+    turn: &Turn,
+    stage: &Stage<'_>,
+) -> Result<(Vec<Wanting>, Cubes), Cancelled> {
+    let slices = stage.map(out.len(), |i| {
+        let mut wanting = Vec::new();
+        let mut beyond = cubes.clone();
+        let mut give_up = |patch: &Patch| {
+            let (x, half) = (patch.spot.point.x, 0.5 * ground.slices().1);
+            let (low, high) = ([x - half, patch.from], [x + half, patch.to]);
+            rest::add_patch(&mut beyond, (patch.spot.point, patch.spot.normal), (low, high), turn);
+        };
+        for (k, patch) in ground.patches(i).iter().enumerate() {
+            if out[i][k] {
+                give_up(patch);
+                continue;
+            }
+            let axis = patch.spot.axis(ground.lowering);
+            if ground.is_low(lines, ground.limits.strict, &patch.spot, axis) {
+                continue;
+            }
+            for part in ground.closely(patch) {
+                match ground.look(lines, &part.spot) {
+                    Found::Low => {}
+                    Found::Wanting(axis) => {
+                        wanting.push(Wanting { spot: part.spot, axis, asked: Asked::Nothing })
+                    }
+                    Found::OutOfReach => give_up(&part),
+                }
+            }
+        }
+        (wanting, beyond)
+    })?;
+    let (mut wanting, mut beyond) = (Vec::new(), cubes.clone());
+    for (w, b) in slices {
+        wanting.extend(w);
+        beyond.absorb(b);
+    }
+    Ok((wanting, beyond))
 }
 
 /// What a look at one spot found.
@@ -63,125 +138,25 @@ enum Found {
     OutOfReach,
 }
 
-/// Looks at all that is seen from above.
-pub(super) fn survey(
-    ground: &Ground<'_>,
-    lines: &Lines,
-    grain: Grain,
-    limits: Limits,
-    stage: &Stage<'_>,
-) -> Result<Survey, Cancelled> {
-    let Some((lo, hi)) = ground.mesh.bounds() else { return Ok(Survey::default()) };
-    let count = ((hi.x - lo.x) / grain.along).ceil().max(1.0) as usize;
-    let width = (hi.x - lo.x) / count as f64;
-    let slices = stage.map(count, |i| {
-        let x = lo.x + width * (i as f64 + 0.5);
-        ground.slice(lines, limits, (lo.y, hi.y), x, Grain { along: width, ..grain })
-    })?;
-    let mut all = Survey::default();
-    for slice in slices {
-        all.wanting.extend(slice.wanting);
-        all.unreached.extend(slice.unreached);
-    }
-    Ok(all)
-}
-
 impl Ground<'_> {
-    /// Looks along y. Out of reach the steps are longer; once something within reach follows, what was stepped over is
-    /// looked at closely.
-    fn slice(&self, lines: &Lines, limits: Limits, (from, to): (f64, f64), x: f64, grain: Grain) -> Survey {
-        let mut survey = Survey::default();
-        let mut y = from + 0.5 * grain.across;
-        // The last spot out of reach, with its short step, if a long one was taken from there.
-        let mut strode: Option<(Spot, f64)> = None;
-        while y < to {
-            let Some(spot) = self.spot(x, y) else {
-                if let Some((spot, step)) = strode.take() {
-                    survey.note(spot, Found::OutOfReach, grain.along * step);
-                    y = spot.point.y + step;
-                } else {
-                    y += grain.across;
-                }
-                continue;
-            };
-            // A step of even length over the ground.
-            let rise = spot.normal.y / spot.normal.z;
-            let step = grain.across * (1.0 / (1.0 + rise * rise).sqrt()).max(STEEPEST_STEP);
-            let found = self.look(lines, limits, &spot);
-            if let Some((last, short)) = strode.take() {
-                let stride = if found == Found::OutOfReach { spot.point.y - last.point.y } else { short };
-                survey.note(last, Found::OutOfReach, grain.along * stride);
-                if found != Found::OutOfReach {
-                    y = last.point.y + short;
-                    // From here on in short steps, until the spot that ended the stride.
-                    while y < spot.point.y {
-                        if let Some(spot) = self.spot(x, y) {
-                            let found = self.look(lines, limits, &spot);
-                            survey.note(spot, found, grain.along * short);
-                        }
-                        y += short;
-                    }
-                    y = spot.point.y;
-                }
-            }
-            if found == Found::OutOfReach {
-                strode = Some((spot, step));
-                y += STRIDE * step;
-            } else {
-                survey.note(spot, found, grain.along * step);
-                y += step;
-            }
-        }
-        if let Some((spot, step)) = strode {
-            survey.note(spot, Found::OutOfReach, grain.along * step);
-        }
-        survey
-    }
-
-    /// The spot seen at `(x, y)`, its area that of a unit square seen from above; `None` beside the mesh and on walls.
-    fn spot(&self, x: f64, y: f64) -> Option<Spot> {
-        let (z, triangle) = self.lowering.mesh.top(x, y)?;
-        let normal = self.mesh.normal(triangle as usize).filter(|n| n.z > WALL)?;
-        Some(Spot { point: DVec3::new(x, y, z), normal, area: 1.0 / normal.z })
-    }
-
-    fn look(&self, lines: &Lines, limits: Limits, spot: &Spot) -> Found {
-        if is_low(self.lowering, lines, limits, spot, spot.axis(self.lowering)) {
+    fn look(&self, lines: &Lines, spot: &Spot) -> Found {
+        if self.is_low(lines, self.limits.lines, spot, spot.axis(self.lowering)) {
             return Found::Low;
         }
-        self.best.reach(self.lowering, spot, limits.single).map_or(Found::OutOfReach, Found::Wanting)
+        self.best.reach(self.lowering, spot, self.limits.single).map_or(Found::OutOfReach, Found::Wanting)
     }
-}
-
-impl Survey {
-    fn note(&mut self, spot: Spot, found: Found, shadow: f64) {
-        let spot = Spot { area: spot.area * shadow, ..spot };
-        match found {
-            Found::Low => {}
-            Found::Wanting(axis) => self.wanting.push(Wanting { spot, axis, asked: None }),
-            Found::OutOfReach => self.unreached.push(spot),
-        }
-    }
-}
-
-/// Out of reach one spot in so many is looked at: the zone is kept in cubes of about that size.
-const STRIDE: f64 = 4.0;
-
-fn is_low(lowering: &Lowering<'_>, lines: &Lines, limits: Limits, spot: &Spot, axis: DVec2) -> bool {
-    lines.cuts(lowering.under, spot.point + limits.lines * spot.normal, axis)
 }
 
 /// The spots that are still too high.
 pub(super) fn still_wanting(
     wanting: &[Wanting],
-    lowering: &Lowering<'_>,
+    ground: &Ground<'_>,
     lines: &Lines,
-    limits: Limits,
     stage: &Stage<'_>,
 ) -> Result<Vec<Wanting>, Cancelled> {
     let chunks: Vec<&[Wanting]> = wanting.chunks(CHUNK).collect();
     let kept = stage.map(chunks.len(), |i| {
-        let high = |w: &&Wanting| !is_low(lowering, lines, limits, &w.spot, w.axis);
+        let high = |w: &&Wanting| !ground.is_low(lines, ground.limits.lines, &w.spot, w.axis);
         chunks[i].iter().filter(high).copied().collect::<Vec<_>>()
     })?;
     Ok(kept.concat())

@@ -25,6 +25,18 @@ impl Lines {
         Self { origin, pitch, end, stretches: BTreeMap::new() }
     }
 
+    /// No lines, at the same places.
+    pub(super) fn like(&self) -> Self {
+        Self::new(self.origin, self.pitch, self.end)
+    }
+
+    /// The places of lines within `reach` of `y`.
+    pub(super) fn places_near(&self, y: f64, reach: f64) -> std::ops::RangeInclusive<u32> {
+        let place = |y: f64| ((y - self.origin) / self.pitch).clamp(0.0, f64::from(self.end));
+        let from = place(y - reach).ceil() as u32;
+        from..=(place(y + reach).floor() as u32).max(from)
+    }
+
     pub(super) fn y(&self, place: u32) -> f64 {
         self.origin + self.pitch * f64::from(place)
     }
@@ -89,7 +101,14 @@ impl Lines {
 }
 
 /// Whether one of the drops within `width` of `p` along the line has `p` inside the cutter.
-fn cut_by(under: &Underside, stretch: &[Drop], p: DVec3, across: f64, width: f64, expected: f64) -> bool {
+pub(super) fn cut_by(
+    under: &Underside,
+    stretch: &[Drop],
+    p: DVec3,
+    across: f64,
+    width: f64,
+    expected: f64,
+) -> bool {
     let from = stretch.partition_point(|d| d.x < p.x - width);
     let to = stretch.partition_point(|d| d.x <= p.x + width);
     let start = stretch.partition_point(|d| d.x < expected).clamp(from, to);

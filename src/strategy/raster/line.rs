@@ -1,14 +1,16 @@
 //! The tip's path over one straight line, lowered on the mesh all along.
 
 use crate::contact::{DropMesh, Touch, Underside, drop_cutter};
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 /// A lowered cutter at `x` on a line. The tip may stand higher than the contact asks for: then it passes over a wall.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Drop {
     pub x: f64,
     pub tip: f64,
-    pub touch: Touch,
+    /// Where the cutter touches, and the normal there.
+    pub point: DVec3,
+    pub normal: DVec3,
 }
 
 /// What lowering along a line needs.
@@ -41,7 +43,15 @@ const WIDEST: f64 = 0.25;
 
 impl Lowering<'_> {
     pub(super) fn at(&self, x: f64, y: f64) -> Option<Drop> {
-        drop_cutter(self.mesh, self.under, x, y).map(|touch| Drop { x, tip: touch.tip_z, touch })
+        drop_cutter(self.mesh, self.under, x, y).map(|touch| {
+            let Touch { tip_z: tip, point, normal, .. } = touch;
+            Drop { x, tip, point, normal }
+        })
+    }
+
+    /// The stretches of x over which the cutter on the line at `y` meets the mesh.
+    pub(super) fn covered(&self, y: f64) -> Vec<(f64, f64)> {
+        self.mesh.covered(y, self.under.reach())
     }
 
     /// Lowered tips along `y` from `from` to `to`, so close that straight moves between them keep to the tolerances.

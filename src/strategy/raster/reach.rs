@@ -12,8 +12,6 @@ use std::f64::consts::FRAC_PI_4;
 pub(super) struct Spot {
     pub point: DVec3,
     pub normal: DVec3,
-    /// What it stands for, mm².
-    pub area: f64,
 }
 
 impl Spot {
@@ -25,16 +23,15 @@ impl Spot {
 }
 
 impl Lowering<'_> {
-    /// Whether a cutter at `axis`, over the mesh, may be so low that `p` is inside it.
+    /// Whether a cutter at `axis` may be so low that `p` is inside it.
     fn lets_through(&self, p: DVec3, axis: DVec2) -> bool {
         let radius = (p.truncate() - axis).length();
         radius <= self.under.reach()
-            && self.mesh.top(axis.x, axis.y).is_some()
             && !is_in_mesh(self.mesh, self.under, axis.extend(p.z - self.under.height(radius)))
     }
 }
 
-/// What all positions of the cutter over the mesh, taken together, leave: the tip's heights on a grid, upside down, as a
+/// What all positions of the cutter, taken together, leave: the tip's heights on a grid, upside down, as a
 /// mesh to lower the same cutter on. It touches where the position stands that cuts deepest.
 #[derive(Debug)]
 pub(super) struct Closing {
@@ -57,7 +54,8 @@ impl Closing {
         (lo, hi): (DVec3, DVec3),
         stage: &Stage<'_>,
     ) -> Result<Self, Cancelled> {
-        let size = hi - lo;
+        let beyond = DVec2::splat(lowering.under.reach()).extend(0.0);
+        let (lo, size) = (lo - beyond, hi - lo + 2.0 * beyond);
         let pitch = (lowering.under.reach() / GRID).max(size.x.max(size.y) / MOST);
         let count = |length: f64| (length / pitch).ceil().max(1.0) as u32 + 1;
         let (nx, ny) = (count(size.x), count(size.y));
@@ -66,7 +64,6 @@ impl Closing {
             let y = at(lo.y, size.y, j as u32, ny);
             let tip = |i| {
                 let x = at(lo.x, size.x, i, nx);
-                lowering.mesh.top(x, y)?;
                 lowering.at(x, y).map(|drop| DVec3::new(x, y, -drop.tip))
             };
             (0..nx).map(tip).collect::<Vec<_>>()
@@ -87,7 +84,7 @@ impl Closing {
         Ok(Self { tips: DropMesh::new(&TriMesh { vertices, triangles }), pitch })
     }
 
-    /// A place of the axis, over the mesh, from which the lowered cutter leaves at most `limit` on the spot; `None` if
+    /// A place of the axis from which the lowered cutter leaves at most `limit` on the spot; `None` if
     /// there is none as far as the search sees. The place where the cutter would touch the spot is tried first, then
     /// the deepest cut on the grid, then rings around that.
     pub(super) fn reach(&self, lowering: &Lowering<'_>, spot: &Spot, limit: f64) -> Option<DVec2> {

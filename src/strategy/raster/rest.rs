@@ -1,81 +1,125 @@
-//! What is out of reach, as a zone.
+//! What stays unfinished, as zones.
 
-use super::Turn;
-use super::across::WALL;
+use super::ground::{Grain, WALL};
 use super::line::Lowering;
 use super::reach::Spot;
-use crate::geometry::{TriMesh, Zone};
+use super::turn::Turn;
+use crate::geometry::{Cubes, TriMesh, Zone};
+use crate::monitor::{Cancelled, Stage};
 use glam::DVec3;
 
-/// The zone of the `spots`, looked at in slices `along` apart, and of what no upright cutter sees, in cubes of edge
-/// `cell`. A cube is in the zone if it holds a part of what a sample stands for, not only the sample.
-pub(super) fn zone(
+/// Most cubes of a zone: what a page still draws without effort.
+const MOST_CUBES: usize = 150_000;
+/// Cubes that a surface meets for each square of their edge that its area holds: one lying flat, two and more askew,
+/// margins included.
+const CUBES_A_SQUARE: f64 = 2.5;
+/// Parts of a cube by which what is out of reach may lie beside what was looked at.
+const MARGIN: f64 = 0.25;
+/// Parts of a cube that rounding may take a point of a facet away from it.
+const ROUNDING: f64 = 1e-6;
+
+/// Cubes for zones of at most about `area` (mm²), of edge `cell` (mm) or larger if there would be too many. Where they
+/// begin is no round number, so that level ground of a round height does not run along their faces.
+pub(super) fn cubes(area: f64, cell: f64) -> Cubes {
+    let cell = cell.max((CUBES_A_SQUARE * area / MOST_CUBES as f64).sqrt());
+    Cubes::new(DVec3::splat(OFFSET * cell), cell, MOST_CUBES)
+}
+
+/// Any number without a round neighbour.
+const OFFSET: f64 = 0.382;
+
+/// Adds a patch of sloping ground: what lies above the rectangle of x and y between `low` and `high` in the plane through
+/// `point` with this `normal`.
+pub(super) fn add_patch(
+    cubes: &mut Cubes,
+    (point, normal): (DVec3, DVec3),
+    (low, high): ([f64; 2], [f64; 2]),
+    turn: &Turn,
+) {
+    let corner = |x: f64, y: f64| {
+        let rise = -(normal.x * (x - point.x) + normal.y * (y - point.y)) / normal.z;
+        turn.to_world(DVec3::new(x, y, point.z + rise))
+    };
+    let corners =
+        [corner(low[0], low[1]), corner(high[0], low[1]), corner(high[0], high[1]), corner(low[0], high[1])];
+    let area = (high[0] - low[0]) * (high[1] - low[1]) / normal.z;
+    cubes.add(&corners, MARGIN * cubes.cell(), area);
+}
+
+/// Adds what a spot of the grain stands for.
+pub(super) fn add_spot(cubes: &mut Cubes, spot: &Spot, grain: Grain, turn: &Turn) {
+    let (x, y) = (spot.point.x, spot.point.y);
+    let (along, across) = (0.5 * grain.along, 0.5 * grain.across * spot.normal.z);
+    let (low, high) = ([x - along, y - across], [x + along, y + across]);
+    add_patch(cubes, (spot.point, spot.normal), (low, high), turn);
+}
+
+/// Area of the facets that are surely not seen from above, mm².
+pub(super) fn hidden_area(mesh: &TriMesh) -> f64 {
+    let hidden = |&i: &usize| mesh.normal(i).is_some_and(|n| n.z <= WALL);
+    (0..mesh.triangles.len()).filter(hidden).map(|i| mesh.area(i)).sum()
+}
+
+/// What no upright cutter sees: walls, undersides, and what lies below other facets.
+pub(super) fn unseen(
     mesh: &TriMesh,
     lowering: &Lowering<'_>,
-    spots: &[Spot],
-    (along, cell): (f64, f64),
+    cubes: &Cubes,
     turn: &Turn,
-) -> Zone {
-    let mut samples = hidden(mesh, lowering, cell, turn);
-    for spot in spots {
-        let n = spot.normal;
-        let across = spot.area * n.z / along;
-        let (u, v) =
-            (DVec3::new(along, 0.0, -along * n.x / n.z), DVec3::new(0.0, across, -across * n.y / n.z));
-        let pieces = |w: DVec3| (2.0 * w.length() / cell).ceil().max(1.0);
-        let (nu, nv) = (pieces(u), pieces(v));
-        for i in 0..nu as u32 {
-            for j in 0..nv as u32 {
-                let at = |i: u32, n: f64| (f64::from(i) + 0.5) / n - 0.5;
-                let p = spot.point + u * at(i, nu) + v * at(j, nv);
-                spread(turn.to_world(p), spot.area / (nu * nv), cell, 0.25 * cell, &mut samples);
+    stage: &Stage<'_>,
+) -> Result<Zone, Cancelled> {
+    let tasks = mesh.triangles.len().div_ceil(TASK);
+    let parts = stage.map(tasks, |task| {
+        let mut part = cubes.clone();
+        for i in task * TASK..mesh.triangles.len().min((task + 1) * TASK) {
+            let Some(normal) = mesh.normal(i) else { continue };
+            let corners = mesh.corners(i);
+            if normal.z <= WALL {
+                add(&mut part, corners, turn);
+            } else {
+                add_covered(&mut part, corners, lowering, turn);
             }
         }
-    }
-    Zone::from_samples(cell, samples)
+        part
+    })?;
+    let mut all = cubes.clone();
+    parts.into_iter().for_each(|part| all.absorb(part));
+    Ok(all.zone())
 }
 
-/// Adds a sample, and one without area in each further cube that the box of half width `half` around it meets.
-fn spread(p: DVec3, area: f64, cell: f64, half: f64, samples: &mut Vec<(DVec3, f64)>) {
-    samples.push((p, area));
-    let (lo, hi) = ((p - half) / cell, (p + half) / cell);
-    let splits = lo.floor().cmpne(hi.floor());
-    for corner in 1..8u32 {
-        let high = glam::BVec3::new(corner & 1 != 0, corner & 2 != 0, corner & 4 != 0);
-        // Along an axis with both ends in one cube, one of them will do.
-        if (high & !splits).any() {
+/// Triangles a task.
+const TASK: usize = 1000;
+
+fn add(cubes: &mut Cubes, corners: [DVec3; 3], turn: &Turn) {
+    let [a, b, c] = corners;
+    let area = 0.5 * (b - a).cross(c - a).length();
+    cubes.add(&corners.map(|p| turn.to_world(p)), ROUNDING * cubes.cell(), area);
+}
+
+/// Adds what of a facet lies below others, halved along its longest side until it is small.
+fn add_covered(cubes: &mut Cubes, corners: [DVec3; 3], lowering: &Lowering<'_>, turn: &Turn) {
+    let mut open = vec![corners];
+    while let Some([a, b, c]) = open.pop() {
+        let sides = [a.distance_squared(b), b.distance_squared(c), c.distance_squared(a)];
+        let longest = sides[0].max(sides[1]).max(sides[2]);
+        if longest > cubes.cell() * cubes.cell() {
+            let [a, b, c] = if longest == sides[0] {
+                [a, b, c]
+            } else if longest == sides[1] {
+                [b, c, a]
+            } else {
+                [c, a, b]
+            };
+            let middle = 0.5 * (a + b);
+            open.push([a, middle, c]);
+            open.push([middle, b, c]);
             continue;
         }
-        samples.push((DVec3::select(high, p + half, p - half), 0.0));
-    }
-    if splits.any() {
-        samples.push((p - half, 0.0));
-    }
-}
-
-/// Samples of the facets that no upright cutter sees: walls, undersides, and what lies below other facets.
-fn hidden(mesh: &TriMesh, lowering: &Lowering<'_>, cell: f64, turn: &Turn) -> Vec<(DVec3, f64)> {
-    let mut samples = Vec::new();
-    for i in 0..mesh.triangles.len() {
-        let Some(normal) = mesh.normal(i) else { continue };
-        let [a, b, c] = mesh.corners(i);
-        let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
-        let n = (longest / cell).ceil().max(1.0) as usize;
-        let area = mesh.area(i) / (n * n) as f64;
-        for s in 0..n {
-            for t in 0..2 * (n - s) - 1 {
-                // Centres of the upright and upside-down small triangles of row s, in turn.
-                let third = if t % 2 == 0 { 1.0 / 3.0 } else { 2.0 / 3.0 };
-                let (u, v) = ((s as f64 + third) / n as f64, ((t / 2) as f64 + third) / n as f64);
-                let p = a + (b - a) * u + (c - a) * v;
-                let covered = || lowering.mesh.top(p.x, p.y).is_some_and(|(z, _)| z > p.z + COVERED);
-                if normal.z <= WALL || covered() {
-                    spread(turn.to_world(p), area, cell, 0.5 * cell, &mut samples);
-                }
-            }
+        let p = (a + b + c) / 3.0;
+        if lowering.mesh.top(p.x, p.y).is_some_and(|(z, _)| z > p.z + COVERED) {
+            add(cubes, [a, b, c], turn);
         }
     }
-    samples
 }
 
 /// What lies deeper than this below the top, mm, is another layer and not rounding.
