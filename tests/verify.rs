@@ -199,6 +199,20 @@ fn a_leaning_cutter_that_was_not_lifted_digs_in_with_its_rim() {
 }
 
 #[test]
+fn the_crest_of_a_thin_wall_is_gouged_as_deep_as_it_is_shaved() {
+    // A wall a tenth of a millimetre thick ends at z = 0, a little too high for a ball over its other side.
+    let cutter = Cutter::ball(6.0, 20.0).unwrap();
+    let wall = Frame { f: DVec3::Y, b: DVec3::Z, n: DVec3::X };
+    let plane =
+        Plane { origin: DVec3::ZERO, frame: wall, u: Range::open(-1.0, 1.0), v: Range::open(-5.0, 0.0) };
+    let samples = Samples::of_face(&Face::new(plane, Side::Front), 0.25).unwrap();
+    let over = ClPoint { tip: DVec3::new(-0.1, 0.0, -0.003), axis: DVec3::Z };
+    let v = judge(&cutter, &path([over]), &samples, &Options::for_height(0.01, &cutter));
+    let exact = libm::hypot(0.1, 2.997) - 3.0;
+    assert!((min(&v) - exact).abs() < 1e-4, "{} {exact}", min(&v));
+}
+
+#[test]
 fn the_shank_is_part_of_the_cutter() {
     // A wall beside a cutter that leans into it far above its edge.
     let cutter = Cutter::ball(6.0, 10.0).unwrap();
@@ -206,12 +220,12 @@ fn the_shank_is_part_of_the_cutter() {
     let plane =
         Plane { origin: DVec3::ZERO, frame: wall, u: Range::open(-5.0, 5.0), v: Range::open(0.0, 60.0) };
     let samples = Samples::of_face(&Face::new(plane, Side::Front), 0.5).unwrap();
-    let lean = 0.1_f64;
+    let lean = 0.08_f64;
     let axis = DVec3::new(-libm::sin(lean), 0.0, libm::cos(lean));
     let path = path([ClPoint { tip: DVec3::new(6.0, 0.0, 0.0), axis }]);
     let v = judge(&cutter, &path, &samples, &Options { depth: 20.0, ..Options::for_height(0.01, &cutter) });
-    // At height z on the wall the cylinder's nearest line is at 6 cos λ − z sin λ − 3, over cos λ along x.
-    let exact = 6.0 - (60.0 * libm::sin(lean) + 3.0) / libm::cos(lean);
+    // At height z on the wall the cylinder's nearest line is at 6 cos λ − z sin λ − 3.
+    let exact = 6.0 * libm::cos(lean) - 60.0 * libm::sin(lean) - 3.0;
     assert!((min(&v) - exact).abs() < 1e-8, "{} {exact}", min(&v));
 }
 
@@ -267,6 +281,9 @@ fn turning_moves_agree_with_brute_force() {
                 };
                 if t.is_infinite() {
                     assert!(closest(3.0) > -5e-5, "{cutter:?} {sample:?}");
+                } else if *t < 0.0 {
+                    // As deep as the point ever is in the cutter.
+                    assert!((t - closest(0.0)).abs() < 1e-4, "{cutter:?} {sample:?} {t} {}", closest(0.0));
                 } else {
                     // The promise: the closest approach is found to 0.05 µm.
                     let there = closest(*t);

@@ -152,8 +152,13 @@ impl Family<'_> {
                 break;
             }
             let secant = (high_gap * low - low_gap * high) / (high_gap - low_gap);
-            // Aim a little below the root, so that what comes back is mostly a step that holds.
-            let aim = if k % 4 == 3 { 0.5 * (low + high) } else { secant - 0.3 * tolerance * high };
+            // Aim a little below the root, so that what comes back is mostly a step that holds. Over a border strips
+            // overlap without end, and there is no secant.
+            let aim = if k % 4 == 3 || !secant.is_finite() {
+                0.5 * (low + high)
+            } else {
+                secant - 0.3 * tolerance * high
+            };
             let step = aim.clamp(low + 0.05 * (high - low), high - 0.05 * (high - low));
             let (gap, candidate) = gap_at(step)?;
             match gap {

@@ -57,12 +57,16 @@ fn halved(body: &Body, piece: &Piece, line: &Line, left: u32) -> Option<Entry> {
     if middle.distance - nearer >= -TOUCH {
         return None;
     }
-    let line = &above_unless_inside(body, piece, line);
+    let (line, depth) = &above_unless_inside(body, piece, line);
     if line.from >= line.to {
         return None;
     }
     if left == 0 || 4.0 * piece.sag(middle.lever + span + 0.5 * piece.length()) <= MISS {
-        return first_entry(body, piece, line, &middle);
+        // Along the normal a wall is as deep as it is thick, and its crest no less.
+        // Along the normal a wall is as deep as it is thick, and its crest no less.
+        return first_entry(body, piece, line, &middle)
+            .map(|entry| Entry { t: entry.t.max(*depth), ..entry })
+            .filter(|entry| entry.t < line.to);
     }
     let mut found = None;
     let mut line = *line;
@@ -77,18 +81,23 @@ fn halved(body: &Body, piece: &Piece, line: &Line, left: u32) -> Option<Entry> {
     found
 }
 
-/// The line from its own point upwards, unless the body holds that point at some time of the piece.
+/// The line from its own point upwards, unless the body holds that point at some time of the piece; and the distance of
+/// the point to the body then, at its least: a gouge is never deeper than that.
 ///
 /// A body that lies wholly below the point cuts nothing of the surface there: it stands behind a wall, or beyond an edge.
 /// If it went there through the part, it cut the surface where it went in.
-fn above_unless_inside(body: &Body, piece: &Piece, line: &Line) -> Line {
+fn above_unless_inside(body: &Body, piece: &Piece, line: &Line) -> (Line, f64) {
     if line.from >= 0.0 {
-        return *line;
+        return (*line, f64::NEG_INFINITY);
     }
     let start = (0.5, piece.probe(body, 0.5, line.at(0.0), line.direction));
     let (_, here) = closest(body, piece, line, 0.0, start, -TOUCH);
     // A turning body may hold the point between the times looked at, by as much as the search may miss.
-    if here.distance < MISS { *line } else { Line { from: 0.0, ..*line } }
+    if here.distance < MISS {
+        (*line, here.distance - MISS)
+    } else {
+        (Line { from: 0.0, ..*line }, f64::NEG_INFINITY)
+    }
 }
 
 /// The first entry during `piece`, which looks like `middle` from the upper end at half time.
