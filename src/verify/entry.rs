@@ -93,8 +93,9 @@ fn above_unless_inside(body: &Body, piece: &Piece, line: &Line) -> (Line, f64) {
     let start = (0.5, piece.probe(body, 0.5, line.at(0.0), line.direction));
     let (_, here) = closest(body, piece, line, 0.0, start, -TOUCH);
     // A turning body may hold the point between the times looked at, by as much as the search may miss.
-    if here.distance < MISS {
-        (*line, here.distance - MISS)
+    let miss = if piece.half_turn() > 0.0 { MISS } else { 0.0 };
+    if here.distance < miss {
+        (*line, here.distance - miss)
     } else {
         (Line { from: 0.0, ..*line }, f64::NEG_INFINITY)
     }
