@@ -6,6 +6,16 @@ import { data, drop, expect, figure, number, proof, test, visit } from './harnes
 const file = (name) => ({ name, base64: readFileSync(data(name)).toString('base64') });
 const plan = (page) => page.locator('button[name=plan]');
 
+/** Notes from now on what stands on the progress bar whenever anything about it changes. */
+const watchProgress = (page) =>
+  page.evaluate(() => {
+    window.seen = [];
+    new MutationObserver(() => {
+      const share = document.querySelector('progress').value;
+      window.seen.push({ share, phase: document.querySelector('.phase').textContent });
+    }).observe(document.querySelector('#action'), { subtree: true, childList: true, attributes: true });
+  });
+
 test('first visit shows a planned and proven path without a click', async ({ page }) => {
   test.setTimeout(240_000);
   await visit(page);
@@ -63,17 +73,16 @@ for (const { name, unit, limits } of [
       await expect(page.locator('input[name="source.unit"]').first()).toBeFocused();
       await page.locator(`input[name="source.unit"][value=${unit}]`).check();
     }
-    await page.evaluate(() => {
-      window.seen = [];
-      new MutationObserver(() => {
-        window.seen.push(document.querySelector('progress').value);
-      }).observe(document.querySelector('#action'), { subtree: true, childList: true, attributes: true });
-    });
+    await watchProgress(page);
     await plan(page).click();
     await expect(page.locator('[data-save=apt]')).toBeVisible({ timeout: 840_000 });
     const seen = await page.evaluate(() => window.seen);
-    expect(seen.length).toBeGreaterThan(2);
-    expect(seen).toEqual([...seen].sort((a, b) => a - b));
+    const shares = seen.map(({ share }) => share);
+    expect(shares.length).toBeGreaterThan(2);
+    expect(shares[0]).toBe(0);
+    expect(shares).toEqual([...shares].sort((a, b) => a - b));
+    // Whoever waits is told for what, from the first moment.
+    expect(seen.filter(({ phase }) => phase === '')).toEqual([]);
     for (const [id, [least, most]] of Object.entries(limits)) {
       const value = number(await figure(page, id).textContent());
       expect(value).toBeGreaterThan(least);
