@@ -38,6 +38,8 @@ export function createCanvas3d(root, { onFace }) {
   root.append(canvas);
   const renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
   renderer.outputColorSpace = SRGBColorSpace;
+  // Asking whether a shader compiled waits until it has.
+  renderer.debug.checkShaderErrors = false;
   const scene = new Scene();
   const surface = createSurfaceMesh();
   const path = createPathLines();
@@ -67,6 +69,7 @@ export function createCanvas3d(root, { onFace }) {
   /** @type {Partial<State>} */
   let painted = {};
   let framed = '';
+  let sized = '';
 
   function draw() {
     if (scheduled) return;
@@ -88,8 +91,11 @@ export function createCanvas3d(root, { onFace }) {
 
   function resize() {
     const { clientWidth: width, clientHeight: height } = root;
-    if (width === 0 || height === 0) return;
-    renderer.setPixelRatio(Math.min(devicePixelRatio, SHARPEST));
+    const ratio = Math.min(devicePixelRatio, SHARPEST);
+    const size = `${width} ${height} ${ratio}`;
+    if (width === 0 || height === 0 || size === sized) return;
+    sized = size;
+    renderer.setPixelRatio(ratio);
     renderer.setSize(width, height, false);
     view.resize(width, height);
     // Drawn at once: a canvas that changed its size is empty until then.
