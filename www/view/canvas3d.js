@@ -26,6 +26,9 @@ import { createZones } from './zones.js';
 /** Sharper than this nobody sees, and it costs the square. */
 const SHARPEST = 2;
 
+/** A picture that did not move for this time is at rest, milliseconds. */
+const REST_MS = 300;
+
 /** A pointer that moved less than this many pixels was clicking, not turning. */
 const CLICK = 5;
 
@@ -47,7 +50,7 @@ export function createCanvas3d(root, { onFace }) {
   const zones = createZones();
   const others = createOtherFaces();
   const ground = createGround();
-  const view = createCamera(canvas, draw);
+  const view = createCamera(canvas, move);
   // Lights travel with the eye: whatever is looked at is lit from above the left shoulder.
   const sky = new AmbientLight(0xffffff, 1.15);
   const key = new DirectionalLight(0xffffff, 2.4);
@@ -64,6 +67,8 @@ export function createCanvas3d(root, { onFace }) {
     cutter.mesh,
   );
   let scheduled = false;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let resting;
   /** @type {State | null} */
   let last = null;
   /** @type {Partial<State>} */
@@ -80,6 +85,14 @@ export function createCanvas3d(root, { onFace }) {
       ground.grid.visible = view.camera.position.z > ground.height();
       renderer.render(scene, view.camera);
     });
+  }
+
+  /** Draws a picture that moves: a long path with fewer segments, until it has come to rest. */
+  function move() {
+    path.move(true);
+    clearTimeout(resting);
+    resting = setTimeout(() => path.move(false) && draw(), REST_MS);
+    draw();
   }
 
   function theme() {
@@ -178,8 +191,10 @@ export function createCanvas3d(root, { onFace }) {
       last = state;
       showSurface(state);
       showPath(state);
-      painted = { outcome: state.outcome, layers: state.layers };
-      draw();
+      const isPlaying = painted.outcome === state.outcome && painted.at !== state.at;
+      painted = { outcome: state.outcome, layers: state.layers, at: state.at };
+      if (isPlaying) move();
+      else draw();
     },
 
     /** @param {string} name 'fit', 'iso', 'top' or 'front'. */
