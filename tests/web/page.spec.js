@@ -95,9 +95,10 @@ const FILES = [
     unit: 'mm',
     settings: [
       ['cutter.kind', 'ball'],
+      ['cutter.diameter_mm', 6],
       ['tolerance.scallop_mm', 0.4],
       // Most of this mesh lies under its top, where samples cost time and prove nothing.
-      ['verify.spacing_mm', 1],
+      ['verify.spacing_mm', 2],
     ],
   },
 ];

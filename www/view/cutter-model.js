@@ -8,8 +8,8 @@ const UP = new Vector3(0, 1, 0);
 
 export function createCutterModel() {
   const material = new MeshPhongMaterial({
-    specular: 0x666666,
-    shininess: 60,
+    specular: 0x333333,
+    shininess: 20,
     transparent: true,
     opacity: 0.62,
   });
