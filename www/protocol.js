@@ -26,7 +26,11 @@ export class Cancelled extends Error {}
  *   onProgress: ((phase: string, fraction: number) => void) | undefined }} Pending
  */
 
-/** @param {() => Promise<WebAssembly.Module>} compile Called once, at the first request. */
+/**
+ * Starts a worker at once: it loads while the page is still being built.
+ *
+ * @param {() => Promise<WebAssembly.Module>} compile Called once.
+ */
 export function createPlanner(compile) {
   /** @type {Promise<WebAssembly.Module> | null} */
   let module = null;
@@ -75,6 +79,8 @@ export function createPlanner(compile) {
     pending.clear();
     for (const request of given) request.reject(reason);
   }
+
+  start();
 
   return {
     /**

@@ -137,7 +137,8 @@ export function createSession(planner, state, { onProblem, onError }) {
       try {
         await planAndProve(draft, (from, to) => (phase, fraction) => {
           if (state.get().job !== job) return;
-          job = { op: 'plan', phase, fraction: from + (to - from) * fraction, draft };
+          // A step without a name of its own belongs to the one before.
+          job = { ...job, phase: phase || job.phase, fraction: from + (to - from) * fraction };
           state.set({ job });
         });
       } catch (error) {

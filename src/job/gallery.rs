@@ -1,5 +1,6 @@
 //! Surfaces to begin with.
 
+use super::kinds;
 use super::spec::{SideSpec, SourceSpec, Spec};
 use serde_json::{Value, json};
 
@@ -22,7 +23,7 @@ pub fn gallery() -> Vec<Example> {
             json!({
                 "cutter": {"kind": "bull_nose", "diameter_mm": 8, "corner_radius_mm": 2, "height_mm": 30},
                 "strategy": {"kind": "iso_parametric", "along": "u", "lead_deg": 8},
-                "tolerance": {"scallop_mm": 0.02},
+                "tolerance": {"scallop_mm": 0.05},
             }),
         ),
         (
@@ -38,12 +39,7 @@ pub fn gallery() -> Vec<Example> {
         (
             "lens",
             "Toric lens mould",
-            SourceSpec::Torus {
-                major_mm: 80.0,
-                minor_mm: 60.0,
-                angle_deg: [16.0, 40.0],
-                side: SideSpec::Back,
-            },
+            toric_hollow(),
             json!({
                 "cutter": {"kind": "bull_nose", "diameter_mm": 10, "corner_radius_mm": 1, "height_mm": 30},
                 "strategy": {"kind": "iso_planar", "angle_deg": 30, "lead_deg": 10},
@@ -55,7 +51,7 @@ pub fn gallery() -> Vec<Example> {
         .into_iter()
         .filter_map(|(id, name, source, mut settings)| {
             settings["name"] = name.into();
-            settings["source"] = serde_json::to_value(&source).ok()?;
+            settings["source"] = kinds::flat(&source);
             let spec = Spec::from_json(&settings.to_string()).ok()?;
             Some(Example { id, spec })
         })
@@ -108,9 +104,57 @@ fn twisted_blade() -> SourceSpec {
     })
 }
 
+/// The mould of a toric lens, lying open to +z: 40 × 42 mm, of radius 140 mm along x and 60 mm along y. Exact, as a
+/// rational patch: the arc along y turned about an axis along y.
+fn toric_hollow() -> SourceSpec {
+    let (across, along) = (arc(8.0), arc(20.0));
+    let (tube, centre) = (60.0, 80.0);
+    let net = across.iter().flat_map(|a| along.iter().map(move |b| (a, b)));
+    let points = net.clone().map(|(a, b)| {
+        let from_axis = centre + tube * b.up;
+        [from_axis * a.side, tube * b.side, centre + tube - from_axis * a.up]
+    });
+    SourceSpec::Nurbs {
+        degrees: [2, 2],
+        knots_u: vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0],
+        knots_v: vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0],
+        points_mm: points.collect(),
+        weights: Some(net.map(|(a, b)| a.weight * b.weight).collect()),
+        side: SideSpec::Front,
+    }
+}
+
+/// A control point of an arc of radius 1 about the origin.
+struct ArcPoint {
+    side: f64,
+    up: f64,
+    weight: f64,
+}
+
+/// The control points of the arc from `-half` to `half` degrees, measured from upright.
+fn arc(half: f64) -> [ArcPoint; 3] {
+    let (sine, cosine) = libm::sincos(half.to_radians());
+    let end = |side| ArcPoint { side, up: cosine, weight: 1.0 };
+    [end(-sine), ArcPoint { side: 0.0, up: 1.0 / cosine, weight: cosine }, end(sine)]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::Uv;
+    use crate::job::Shape;
+
+    #[test]
+    fn toric_hollow_keeps_its_distance_from_its_circle() {
+        let Ok((Shape::Face(face), _)) = toric_hollow().shape(None) else { panic!("a face") };
+        for (u, v) in [(0.0, 0.0), (0.31, 0.77), (0.5, 0.5), (1.0, 0.2)] {
+            let (jet, n) = face.at(Uv::new(u, v)).expect("a normal");
+            // The centre circle of the tube has radius 80 about an axis along y at z = 140.
+            let off = libm::hypot(jet.p.x, jet.p.z - 140.0) - 80.0;
+            assert!((libm::hypot(off, jet.p.y) - 60.0).abs() < 1e-12 * 60.0, "{off} at {u} {v}");
+            assert!(n.z > 0.9, "{n} looks up");
+        }
+    }
 
     #[test]
     fn every_example_is_a_valid_job() {

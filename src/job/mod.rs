@@ -4,6 +4,7 @@ mod error;
 mod fields;
 mod gallery;
 mod inspect;
+mod kinds;
 mod picture;
 mod report;
 mod run;

@@ -18,15 +18,29 @@ pub struct Picture {
     pub excess: Vec<f32>,
 }
 
-/// Vertices of a picture, about: what a phone draws without effort.
+/// Vertices of a picture that shows what is left between passes, about: what a phone draws without effort.
 const VERTICES: f64 = 40_000.0;
+
+/// Vertices of a picture that shows the shape alone, about. Shading hides its facets, and it is drawn while the path is
+/// still being planned.
+const PREVIEW_VERTICES: f64 = 8_000.0;
 
 /// A spacing larger than any part, mm.
 const BEYOND: f64 = 1e6;
 
 impl Shape {
-    /// Samples of the shape that make a picture of it.
+    /// Samples of the shape that make a picture of what is left on it.
     pub(super) fn picture_samples(&self) -> Result<Samples, JobError> {
+        self.about(VERTICES)
+    }
+
+    /// Samples of the shape that make a picture of it alone.
+    pub(super) fn preview_samples(&self) -> Result<Samples, JobError> {
+        self.about(PREVIEW_VERTICES)
+    }
+
+    /// About `count` samples of a surface, or a mesh as it is.
+    fn about(&self, count: f64) -> Result<Samples, JobError> {
         match self {
             Self::Face(face) => {
                 // The area to a few percent tells the spacing.
@@ -34,7 +48,7 @@ impl Shape {
                 let (nu, nv) = grid.size();
                 let cells = (0..nv - 1).flat_map(|j| (0..nu - 1).map(move |i| (i, j)));
                 let area: f64 = cells.map(|(i, j)| grid.cell_area(i, j)).sum();
-                self.samples((area / VERTICES).sqrt())
+                self.samples((area / count).sqrt())
             }
             // A mesh is its own picture: no triangle needs cutting up.
             Self::Mesh(_) => self.samples(BEYOND),

@@ -150,7 +150,7 @@ impl Plan {
             passes: planned.passes.len(),
             points: emitted.toolpath.moves.len(),
             time_min: minutes(emitted, spec.feeds.rapid_mm_per_min),
-            area_mm2: self.shape.picture_samples()?.area(),
+            area_mm2: self.shape.preview_samples()?.area(),
             unreachable: Unreachable {
                 area_mm2: planned.unreached.area(),
                 cell_mm: planned.unreached.cell(),
@@ -247,7 +247,7 @@ fn on_mesh(
 /// The shape of `spec` to draw before anything is planned.
 pub fn preview(spec: &Spec, bytes: Option<&[u8]>) -> Result<Picture, JobError> {
     let (shape, _) = spec.source.shape(bytes)?;
-    Ok(Picture::new(&shape.picture_samples()?, &[]))
+    Ok(Picture::new(&shape.preview_samples()?, &[]))
 }
 
 impl StrategySpec {

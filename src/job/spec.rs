@@ -1,16 +1,18 @@
 //! The specification of a job: everything that affects its output.
 
 use super::error::JobError;
-use super::schema;
+use super::{kinds, schema};
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 /// The version of [`Spec`] that this code writes, and the latest that it reads.
 pub const VERSION: u32 = 1;
 
 /// Everything that affects a job's output. Lengths in millimetres and angles in degrees, as the names say.
+///
+/// In JSON every choice is an object that names its `kind`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, into = "Value")]
 pub struct Spec {
     /// [`VERSION`].
     pub version: u32,
@@ -35,7 +37,7 @@ pub struct Spec {
 
 /// Where the shape comes from, and which side of it is cut.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum SourceSpec {
     /// A file that comes beside the specification.
     File {
@@ -147,7 +149,7 @@ pub enum SideSpec {
 
 /// The tool.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
 #[expect(missing_docs, reason = "names and units are the table's in fields.rs")]
 pub enum CutterSpec {
     BullNose { diameter_mm: f64, corner_radius_mm: f64, height_mm: f64 },
@@ -159,7 +161,7 @@ pub enum CutterSpec {
 
 /// How passes are laid.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
 #[expect(missing_docs, reason = "names and units are the table's in fields.rs")]
 pub enum StrategySpec {
     IsoParametric { along: AlongSpec, lead_deg: f64, yaw_deg: f64, order: OrderSpec },
@@ -250,19 +252,33 @@ impl Spec {
             }
         };
         schema::complete(&mut object)?;
+        kinds::nest(&mut object)?;
         let mut track = serde_path_to_error::Track::new();
         let value = Value::Object(object);
-        Self::deserialize(serde_path_to_error::Deserializer::new(&value, &mut track)).map_err(|e| {
-            let path = track.path().to_string();
-            let path = if path == "." { String::new() } else { path };
-            JobError::Field { field: path, message: e.to_string() }
-        })
+        Self::deserialize(serde_path_to_error::Deserializer::new(&value, &mut track))
+            .map_err(|e| JobError::field(&kinds::path(&track.path()), e.to_string()))
     }
 
     /// The specification as JSON text with every setting spelled out, so that it stays the same when defaults change.
     pub fn to_json(&self) -> String {
         // A struct of numbers, strings and lists always has a JSON form.
         serde_json::to_string_pretty(self).unwrap_or_default()
+    }
+}
+
+impl From<Spec> for Value {
+    fn from(spec: Spec) -> Self {
+        json!({
+            "version": spec.version,
+            "name": spec.name,
+            "source": kinds::flat(&spec.source),
+            "cutter": kinds::flat(&spec.cutter),
+            "strategy": kinds::flat(&spec.strategy),
+            "tolerance": spec.tolerance,
+            "links": spec.links,
+            "feeds": spec.feeds,
+            "verify": spec.verify,
+        })
     }
 }
 
@@ -306,5 +322,11 @@ mod tests {
         assert!(message.contains("line 2"), "{message}");
         assert!(error(&with(r#""feeds": {"spindle_rpm": "fast"}"#)).1.contains("number"));
         assert!(error("{}").1.contains("source"));
+        let (field, message) = error(r#"{"source": {"kind": "cylinder", "radius_mm": "wide"}}"#);
+        assert_eq!(field, "source.radius_mm");
+        assert!(message.contains("wide"), "{message}");
+        assert_eq!(error(r#"{"source": {"radius_mm": 3}}"#).0, "source.kind");
+        let (field, message) = error(r#"{"source": {"kind": "egg"}}"#);
+        assert!(field.starts_with("source") && message.contains("egg"), "{field} {message}");
     }
 }

@@ -99,9 +99,6 @@ export default {
 
   'progress.title': 'Progress',
   'progress.start': 'Starting',
-  'progress.plan': 'Planning',
-  'progress.preview': 'Reading the surface',
-  'progress.inspect': 'Opening the file',
 
   'results.title': 'Result',
   'results.empty': 'Plan a path to see its length and its proof.',

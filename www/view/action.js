@@ -39,10 +39,11 @@ export function createAction(root, { onPlan, onCancel }) {
       plan.disabled = !draft;
       say(plan, t((outcome || planning) && draft !== planned ? 'action.replan' : 'action.plan'));
       plan.classList.toggle('done', outcome !== null && draft === planned);
+      // Between jobs too: the next one must not begin where the last one ended.
+      bar.value = planning ? job.fraction : 0;
       if (planning) {
-        say(phase, t(`phase.${job.phase}`, {}, job.phase || t('progress.plan')));
+        say(phase, job.phase ? t(`phase.${job.phase}`, {}, job.phase) : t('progress.start'));
         say(share, `${Math.floor(job.fraction * 100)} %`);
-        bar.value = job.fraction;
       }
       // The keyboard stays where the eye is when one button takes the other's place.
       if (hadFocus === plan && plan.hidden) cancel.focus();

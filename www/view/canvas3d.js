@@ -26,6 +26,9 @@ import { createZones } from './zones.js';
 /** Sharper than this nobody sees, and it costs the square. */
 const SHARPEST = 2;
 
+/** A picture that did not move for this time is at rest, milliseconds. */
+const REST_MS = 300;
+
 /** A pointer that moved less than this many pixels was clicking, not turning. */
 const CLICK = 5;
 
@@ -38,6 +41,8 @@ export function createCanvas3d(root, { onFace }) {
   root.append(canvas);
   const renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
   renderer.outputColorSpace = SRGBColorSpace;
+  // Asking whether a shader compiled waits until it has.
+  renderer.debug.checkShaderErrors = false;
   const scene = new Scene();
   const surface = createSurfaceMesh();
   const path = createPathLines();
@@ -45,7 +50,7 @@ export function createCanvas3d(root, { onFace }) {
   const zones = createZones();
   const others = createOtherFaces();
   const ground = createGround();
-  const view = createCamera(canvas, draw);
+  const view = createCamera(canvas, move);
   // Lights travel with the eye: whatever is looked at is lit from above the left shoulder.
   const sky = new AmbientLight(0xffffff, 1.15);
   const key = new DirectionalLight(0xffffff, 2.4);
@@ -62,11 +67,14 @@ export function createCanvas3d(root, { onFace }) {
     cutter.mesh,
   );
   let scheduled = false;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let resting;
   /** @type {State | null} */
   let last = null;
   /** @type {Partial<State>} */
   let painted = {};
   let framed = '';
+  let sized = '';
 
   function draw() {
     if (scheduled) return;
@@ -79,6 +87,14 @@ export function createCanvas3d(root, { onFace }) {
     });
   }
 
+  /** Draws a picture that moves: a long path with fewer segments, until it has come to rest. */
+  function move() {
+    path.move(true);
+    clearTimeout(resting);
+    resting = setTimeout(() => path.move(false) && draw(), REST_MS);
+    draw();
+  }
+
   function theme() {
     const style = getComputedStyle(root);
     const color = (/** @type {string} */ name) => new Color(style.getPropertyValue(name).trim() || '#888');
@@ -88,8 +104,11 @@ export function createCanvas3d(root, { onFace }) {
 
   function resize() {
     const { clientWidth: width, clientHeight: height } = root;
-    if (width === 0 || height === 0) return;
-    renderer.setPixelRatio(Math.min(devicePixelRatio, SHARPEST));
+    const ratio = Math.min(devicePixelRatio, SHARPEST);
+    const size = `${width} ${height} ${ratio}`;
+    if (width === 0 || height === 0 || size === sized) return;
+    sized = size;
+    renderer.setPixelRatio(ratio);
     renderer.setSize(width, height, false);
     view.resize(width, height);
     // Drawn at once: a canvas that changed its size is empty until then.
@@ -172,8 +191,10 @@ export function createCanvas3d(root, { onFace }) {
       last = state;
       showSurface(state);
       showPath(state);
-      painted = { outcome: state.outcome, layers: state.layers };
-      draw();
+      const isPlaying = painted.outcome === state.outcome && painted.at !== state.at;
+      painted = { outcome: state.outcome, layers: state.layers, at: state.at };
+      if (isPlaying) move();
+      else draw();
     },
 
     /** @param {string} name 'fit', 'iso', 'top' or 'front'. */

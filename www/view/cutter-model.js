@@ -1,5 +1,5 @@
 /** The cutter where the path is shown up to. */
-import { Color, LatheGeometry, Mesh, MeshStandardMaterial, Vector2, Vector3 } from 'three';
+import { Color, LatheGeometry, Mesh, MeshPhongMaterial, Vector2, Vector3 } from 'three';
 import { pairs } from './outline.js';
 
 const SIDES = 48;
@@ -7,13 +7,14 @@ const SIDES = 48;
 const UP = new Vector3(0, 1, 0);
 
 export function createCutterModel() {
-  const material = new MeshStandardMaterial({
-    roughness: 0.35,
-    metalness: 0.3,
+  const material = new MeshPhongMaterial({
+    specular: 0x333333,
+    shininess: 20,
     transparent: true,
     opacity: 0.62,
   });
   const mesh = new Mesh(new LatheGeometry([], 3), material);
+  mesh.visible = false;
   /** @type {Float32Array | null} */
   let shown = null;
 

@@ -21,6 +21,14 @@ const LENGTH = 7;
 /** A dash and its gap as shares of the picture's size. */
 const DASH = 0.012;
 
+/** While the picture moves, passes of more segments than this are drawn with fewer: a processor draws these 25 times a second. */
+const MOVING_SEGMENTS = 50_000;
+
+/**
+ * @typedef {{ ends: Uint32Array, index: BufferAttribute }} Segments
+ * The points at which segments end, ascending, and their two points each.
+ */
+
 export function createPathLines() {
   const cut = new LineSegments(new BufferGeometry(), nearer(new LineBasicMaterial({ transparent: true })));
   // What is still to come when the path is shown up to a position only.
@@ -40,12 +48,27 @@ export function createPathLines() {
   group.add(ahead, cut, link, rapid);
   /** @type {Outcome | null} */
   let shown = null;
-  /** Point at which each segment ends, per kind. @type {Uint32Array[]} */
-  let ends = [];
+  /** Per kind: every segment, and as many as are drawn in motion. @type {{ all: Segments, few: Segments }[]} */
+  let kinds = [];
+  let isMoving = false;
+  /** The point up to which the path is shown. */
+  let reached = Infinity;
   const plain = new Color();
   /** On the colours of excess, which are light, the passes are dark. */
   const dark = new Color();
   let isOver = false;
+
+  function apply() {
+    if (kinds.length === 0) return;
+    [cut, link, rapid].forEach((line, kind) => {
+      const { ends, index } = isMoving ? kinds[kind].few : kinds[kind].all;
+      line.geometry.setIndex(index);
+      line.geometry.setDrawRange(0, 2 * countUpTo(ends, reached));
+    });
+    ahead.geometry.setIndex(cut.geometry.index);
+    ahead.geometry.setDrawRange(cut.geometry.drawRange.count, Infinity);
+    ahead.visible = cut.visible && reached !== Infinity;
+  }
 
   return {
     group,
@@ -58,18 +81,18 @@ export function createPathLines() {
         line.geometry.dispose();
         line.geometry = new BufferGeometry();
       }
-      ends = [];
+      kinds = [];
       if (!outcome) return;
       const { path, contacts } = outcome;
       const points = path.length / STRIDE;
       const position = new BufferAttribute(contacts, 3);
-      ends = segmentEnds(path, points);
-      [cut, link, rapid].forEach((line, kind) => {
-        line.geometry.setAttribute('position', position);
-        line.geometry.setIndex(new BufferAttribute(segments(ends[kind]), 1));
+      kinds = segmentEnds(path, points).map((ends) => {
+        const all = segments(ends, 1);
+        const step = Math.ceil(ends.length / MOVING_SEGMENTS);
+        return { all, few: step > 1 ? segments(ends, step) : all };
       });
-      ahead.geometry.setAttribute('position', position);
-      ahead.geometry.setIndex(cut.geometry.index);
+      for (const line of [cut, link, rapid, ahead]) line.geometry.setAttribute('position', position);
+      apply();
       const lengths = new Float32Array(points);
       for (let i = 0; i < points; i += 1) lengths[i] = path[i * STRIDE + LENGTH];
       rapid.geometry.setAttribute('lineDistance', new BufferAttribute(lengths, 1));
@@ -79,16 +102,22 @@ export function createPathLines() {
 
     /** Shows the path up to a point, and the rest faintly. @param {number} point Index, `Infinity` for all. */
     upTo(point) {
-      [cut, link, rapid].forEach((line, kind) => {
-        line.geometry.setDrawRange(0, 2 * countUpTo(ends[kind], point));
-      });
-      ahead.geometry.setDrawRange(2 * countUpTo(ends[0], point), Infinity);
+      reached = point;
+      apply();
+    },
+
+    /** Whether the picture is moving; returns whether that makes a difference. @param {boolean} moves */
+    move(moves) {
+      if (isMoving === moves) return false;
+      isMoving = moves;
+      apply();
+      return kinds.some(({ all, few }) => all !== few);
     },
 
     /** @param {{ passes: boolean, links: boolean, rapids: boolean }} layers @param {boolean} overColours Whether the surface is coloured. */
     show({ passes, links, rapids }, overColours) {
       cut.visible = passes;
-      ahead.visible = passes;
+      ahead.visible = passes && reached !== Infinity;
       link.visible = links;
       rapid.visible = rapids;
       isOver = overColours;
@@ -139,23 +168,36 @@ function segmentEnds(path, points) {
   return lists;
 }
 
-/** @param {Uint32Array} list */
-function segments(list) {
-  const index = new Uint32Array(2 * list.length);
-  list.forEach((end, i) => {
-    index[2 * i] = end - 1;
-    index[2 * i + 1] = end;
-  });
-  return index;
+/**
+ * Segments that end at points, each from the point before; up to `step` of them that follow one another are one.
+ *
+ * @param {Uint32Array} ends Ascending.
+ * @param {number} step
+ * @returns {Segments}
+ */
+function segments(ends, step) {
+  const index = new Uint32Array(2 * ends.length);
+  const kept = new Uint32Array(ends.length);
+  let count = 0;
+  for (let i = 0; i < ends.length; ) {
+    const from = i;
+    while (i - from < step - 1 && ends[i + 1] === ends[i] + 1) i += 1;
+    index[2 * count] = ends[from] - 1;
+    index[2 * count + 1] = ends[i];
+    kept[count] = ends[i];
+    count += 1;
+    i += 1;
+  }
+  return { ends: kept.slice(0, count), index: new BufferAttribute(index.slice(0, 2 * count), 1) };
 }
 
-/** How many of an ascending list are at most `point`. @param {Uint32Array | undefined} list @param {number} point */
+/** How many of an ascending list are at most `point`. @param {Uint32Array} list @param {number} point */
 function countUpTo(list, point) {
   let low = 0;
-  let high = list?.length ?? 0;
+  let high = list.length;
   while (low < high) {
     const middle = (low + high) >> 1;
-    if (/** @type {Uint32Array} */ (list)[middle] <= point) low = middle + 1;
+    if (list[middle] <= point) low = middle + 1;
     else high = middle;
   }
   return low;

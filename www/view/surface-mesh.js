@@ -14,7 +14,7 @@ import {
   LineBasicMaterial,
   LineSegments,
   Mesh,
-  MeshStandardMaterial,
+  MeshPhongMaterial,
   Vector3,
 } from 'three';
 import { excessColor, excessRange, UNKNOWN } from './colors.js';
@@ -25,10 +25,10 @@ const ARROW = 0.035;
 
 export function createSurfaceMesh() {
   const back = { value: new Color() };
-  const material = new MeshStandardMaterial({
+  const material = new MeshPhongMaterial({
     side: DoubleSide,
-    roughness: 0.62,
-    metalness: 0.08,
+    specular: 0x1c1c1c,
+    shininess: 24,
     // Lines that lie on the surface are drawn in front of it.
     polygonOffset: true,
     polygonOffsetFactor: 1.5,

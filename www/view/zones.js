@@ -1,11 +1,11 @@
 /** Where the cutter cannot reach: one cube a cell. */
-import { BoxGeometry, Color, InstancedMesh, Matrix4, MeshStandardMaterial } from 'three';
+import { BoxGeometry, Color, InstancedMesh, Matrix4, MeshLambertMaterial } from 'three';
 
 /** More cubes than this only fill the screen. */
 const MOST = 60_000;
 
 export function createZones() {
-  const material = new MeshStandardMaterial({ roughness: 0.9, transparent: true, opacity: 0.5 });
+  const material = new MeshLambertMaterial({ transparent: true, opacity: 0.5 });
   let cubes = new InstancedMesh(new BoxGeometry(1, 1, 1), material, 0);
   /** @type {Float32Array | null} */
   let shown = null;

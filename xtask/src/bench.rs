@@ -1,18 +1,17 @@
-//! Benchmarks: our own, then whatever they are set beside.
+//! Benchmarks: how the parts compare in detail, then the claims, beside OpenCAMLib.
 
-use crate::shell;
+use crate::{rates, shell};
 use anyhow::Result;
 
-/// Runs the benchmarks (those whose name matches, if names are given), then the comparisons.
+/// Runs the benchmarks (those whose name matches, if names are given; `rates` for the claims alone), then the claims.
 pub fn run(names: &[String]) -> Result<()> {
-    let mut args = vec!["bench".to_string(), "--package".into(), "stepover".into()];
-    if !names.is_empty() {
-        args.push("--".into());
-        args.extend_from_slice(names);
+    if names.iter().all(|name| name != "rates") {
+        let mut args = vec!["bench".to_string(), "--package".into(), "stepover".into()];
+        if !names.is_empty() {
+            args.push("--".into());
+            args.extend_from_slice(names);
+        }
+        shell::cargo(args).run()?;
     }
-    shell::cargo(args).run()?;
-    PEERS.iter().try_for_each(|peer| peer())
+    rates::run()
 }
-
-/// Other programs on the same task. Each prints its figures and installs nothing.
-const PEERS: [fn() -> Result<()>; 0] = [];

@@ -6,6 +6,7 @@ mod bench;
 mod browser;
 mod check;
 mod page;
+mod rates;
 mod serve;
 mod shell;
 mod summary;
@@ -18,7 +19,7 @@ const USAGE: &str = "\
 cargo xtask serve [--port N]   build everything and serve the page on this machine (port 8080 or the next free one)
 cargo xtask test  [NAME …]     every check and test, or only the named suites; prints a table of what passed
 cargo xtask build              the command line, the WebAssembly module and the page
-cargo xtask bench              the benchmarks
+cargo xtask bench [NAME …]     the benchmarks, then the claims beside OpenCAMLib; `rates` for these alone
 cargo xtask page  [--port N]   serve the page as it is being edited, reloading on change";
 
 fn main() -> ExitCode {

@@ -69,28 +69,43 @@ fn answer(mut stream: TcpStream, folder: &Path) -> std::io::Result<()> {
     let mut words = request.split_whitespace();
     let (method, target) = (words.next().unwrap_or(""), words.next().unwrap_or(""));
     if method != "GET" && method != "HEAD" {
-        return respond(&mut stream, "405 Method Not Allowed", "text/plain", b"GET only\n", true);
+        return respond(&mut stream, "405 Method Not Allowed", TEXT, b"GET only\n", true);
     }
     let found = locate(folder, target).and_then(|path| fs::read(&path).ok().map(|bytes| (path, bytes)));
     match found {
-        Some((path, bytes)) => respond(&mut stream, "200 OK", kind(&path), &bytes, method == "GET"),
-        None => respond(&mut stream, "404 Not Found", "text/plain", b"not here\n", method == "GET"),
+        Some((path, bytes)) => {
+            let kind = Kind { mime: kind(&path), keeps: keeps(&path) };
+            respond(&mut stream, "200 OK", kind, &bytes, method == "GET")
+        }
+        None => respond(&mut stream, "404 Not Found", TEXT, b"not here\n", method == "GET"),
     }
 }
+
+/// What a body is.
+struct Kind {
+    mime: &'static str,
+    /// Whether its address names its content, so that it never changes.
+    keeps: bool,
+}
+
+const TEXT: Kind = Kind { mime: "text/plain", keeps: false };
 
 fn respond(
     stream: &mut TcpStream,
     status: &str,
-    kind: &str,
+    kind: Kind,
     body: &[u8],
     with_body: bool,
 ) -> std::io::Result<()> {
     write!(
         stream,
-        "HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {}\r\nConnection: close\r\n\
-         Cache-Control: no-cache\r\nX-Content-Type-Options: nosniff\r\nReferrer-Policy: no-referrer\r\n\
+        "HTTP/1.1 {status}\r\nContent-Type: {}\r\nContent-Length: {}\r\nConnection: close\r\n\
+         Cache-Control: {}\r\nX-Content-Type-Options: nosniff\r\nReferrer-Policy: no-referrer\r\n\
          Cross-Origin-Opener-Policy: same-origin\r\nContent-Security-Policy: {POLICY}\r\n\r\n",
-        body.len()
+        kind.mime,
+        body.len(),
+        // A browser also keeps the machine code of a module whose bytes it may keep.
+        if kind.keeps { "public, max-age=31536000, immutable" } else { "no-cache" },
     )?;
     if with_body {
         stream.write_all(body)?;
@@ -114,6 +129,11 @@ fn locate(folder: &Path, target: &str) -> Option<PathBuf> {
     // A link inside the folder must not lead out of it.
     let (file, folder) = (file.canonicalize().ok()?, folder.canonicalize().ok()?);
     (file.starts_with(folder) && file.is_file()).then_some(file)
+}
+
+/// The bundler writes a hash of the content into the names of what it puts into this folder.
+fn keeps(path: &Path) -> bool {
+    path.parent().and_then(Path::file_name).is_some_and(|folder| folder == "assets")
 }
 
 fn kind(path: &Path) -> &'static str {

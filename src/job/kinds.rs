@@ -1,0 +1,52 @@
+//! How a choice is written: people and links name it beside its settings, `{"kind": "ball", "diameter_mm": 6}`; serde
+//! reads it from around them, `{"ball": {"diameter_mm": 6}}`.
+//!
+//! serde can read the former too, but through a copy of its whole machinery for every type that a choice contains:
+//! a tenth of the module that a browser has to load.
+
+use super::error::JobError;
+use serde::Serialize;
+use serde_json::{Map, Value};
+use serde_path_to_error::{Path, Segment};
+
+/// The settings of a specification that are a choice.
+const CHOICES: [&str; 3] = ["source", "cutter", "strategy"];
+
+/// Puts the settings of each choice into their kind.
+///
+/// Errors name a `kind` that is missing or no text.
+pub(super) fn nest(spec: &mut Map<String, Value>) -> Result<(), JobError> {
+    for name in CHOICES {
+        let Some(Value::Object(settings)) = spec.get_mut(name) else { continue };
+        let Some(Value::String(kind)) = settings.remove("kind") else {
+            return Err(JobError::field(&format!("{name}.kind"), "must be the name of a kind".into()));
+        };
+        let inside = Value::Object(std::mem::take(settings));
+        settings.insert(kind, inside);
+    }
+    Ok(())
+}
+
+/// `choice` with its kind beside its settings.
+pub(super) fn flat(choice: &impl Serialize) -> Value {
+    // Numbers, strings and lists always have a JSON form.
+    let Ok(Value::Object(outside)) = serde_json::to_value(choice) else { return Value::Null };
+    let Some((kind, Value::Object(mut settings))) = outside.into_iter().next() else { return Value::Null };
+    settings.insert("kind".into(), kind.into());
+    Value::Object(settings)
+}
+
+/// The path of a setting as people write it; empty for the whole.
+pub(super) fn path(nested: &Path) -> String {
+    let mut path = String::new();
+    for segment in nested {
+        match segment {
+            Segment::Seq { index } => path += &format!("[{index}]"),
+            Segment::Map { key } if path.is_empty() => path.clone_from(key),
+            Segment::Map { key } => path += &format!(".{key}"),
+            // The kind, which people write beside its settings.
+            Segment::Enum { .. } | Segment::Unknown => {}
+        }
+    }
+    path
+}
