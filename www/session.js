@@ -11,6 +11,9 @@ import { firstProblem, write } from './spec.js';
 const MOST_FACES = 40;
 const MOST_FACE_BYTES = 8e6;
 
+/** A path that is there within this time is shown together with its surface: drawing the surface alone would delay it. */
+const TOGETHER_MS = 1200;
+
 /** Share of the progress bar that planning has; the rest is the proof's. */
 const PLANNING = 0.6;
 
@@ -34,6 +37,8 @@ export function createSession(planner, state, { onProblem, onError }) {
   let drawn = { bytes: undefined, key: '', failed: new Set(), busy: false };
   /** @type {any} */
   let outlined = null;
+  /** A picture that waits for its path, and the timer that ends the waiting. */
+  let waiting = { picture: /** @type {any} */ (null), timer: 0 };
 
   /** Draws the surface again when what it is made from changed. @param {State} now */
   async function refreshPicture({ draft }) {
@@ -45,12 +50,20 @@ export function createSession(planner, state, { onProblem, onError }) {
       const picture = await planner.call('preview', [withUnit(draft.spec), key.bytes]);
       if (pictured !== key) return;
       key.done = true;
-      // The path of another surface, or of its other side, has no place on this one.
-      state.set({ picture, outcome: null, planned: null });
+      waiting.picture = picture;
+      if (!waiting.timer) showWaiting();
     } catch (error) {
       if (!(error instanceof Cancelled)) onError(error);
       else if (pictured === key) pictured = { source: null, bytes: null, done: false };
     }
+  }
+
+  function showWaiting() {
+    const { picture, timer } = waiting;
+    clearTimeout(timer);
+    waiting = { picture: null, timer: 0 };
+    // The path of another surface, or of its other side, has no place on this one.
+    if (picture) state.set({ picture, outcome: null, planned: null });
   }
 
   /** Draws the cutter of the form. @param {State} now */
@@ -102,6 +115,7 @@ export function createSession(planner, state, { onProblem, onError }) {
   async function planAndProve(draft, stage) {
     /** @type {Outcome} */
     const planned = await planner.call('plan', [draft.spec, draft.source.bytes], stage(0, PLANNING));
+    showWaiting();
     state.set({ outcome: planned, planned: draft, at: 1 });
     const proved = await planner.call('prove', [], stage(PLANNING, 1));
     if (state.get().outcome !== planned) return;
@@ -131,7 +145,9 @@ export function createSession(planner, state, { onProblem, onError }) {
       if (!pictured.done) pictured = { source: null, bytes: null, done: false };
       let job = { op: 'plan', phase: '', fraction: 0, draft };
       state.set({ job, problem: null });
-      // A new surface is seen before its path is there.
+      // A new surface is seen before its path is there, if that takes its time.
+      clearTimeout(waiting.timer);
+      waiting.timer = setTimeout(showWaiting, TOGETHER_MS);
       refreshPicture(state.get());
       refreshOutline(state.get());
       try {
@@ -145,7 +161,10 @@ export function createSession(planner, state, { onProblem, onError }) {
         onError(error);
       } finally {
         // A newer plan may be under way already.
-        if (state.get().job === job) state.set({ job: null });
+        if (state.get().job === job) {
+          showWaiting();
+          state.set({ job: null });
+        }
       }
     },
   };

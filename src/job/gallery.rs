@@ -1,8 +1,10 @@
 //! Surfaces to begin with.
+//!
+//! Written as the JSON that a person would write: the page asks for just that, and needs no code to write a [`Spec`].
 
-use super::kinds;
-use super::spec::{SideSpec, SourceSpec, Spec};
-use serde_json::{Value, json};
+use super::schema;
+use super::spec::{Spec, VERSION};
+use serde_json::{Map, Value, json};
 
 /// A job to begin with.
 #[derive(Debug, Clone)]
@@ -13,59 +15,82 @@ pub struct Example {
     pub spec: Spec,
 }
 
-/// The jobs to begin with; the first is planned when the page opens.
-pub fn gallery() -> Vec<Example> {
-    let examples = [
+/// Identifier, name, source and settings of each example; the first is planned when the page opens.
+fn examples() -> [(&'static str, &'static str, String, &'static str); 3] {
+    [
         (
             "wave",
             "Wave",
             wave(),
-            json!({
+            r#"{
                 "cutter": {"kind": "bull_nose", "diameter_mm": 8, "corner_radius_mm": 2, "height_mm": 30},
                 "strategy": {"kind": "iso_parametric", "along": "u", "lead_deg": 8},
-                "tolerance": {"scallop_mm": 0.05},
-            }),
+                "tolerance": {"scallop_mm": 0.05}
+            }"#,
         ),
         (
             "blade",
             "Twisted blade",
             twisted_blade(),
-            json!({
+            r#"{
                 "cutter": {"kind": "bull_nose", "diameter_mm": 10, "corner_radius_mm": 2, "height_mm": 40},
                 "strategy": {"kind": "iso_parametric", "along": "v", "lead_deg": 12},
-                "tolerance": {"scallop_mm": 0.01},
-            }),
+                "tolerance": {"scallop_mm": 0.01}
+            }"#,
         ),
         (
             "lens",
             "Toric lens mould",
             toric_hollow(),
-            json!({
+            r#"{
                 "cutter": {"kind": "bull_nose", "diameter_mm": 10, "corner_radius_mm": 1, "height_mm": 30},
                 "strategy": {"kind": "iso_planar", "angle_deg": 30, "lead_deg": 10},
-                "tolerance": {"scallop_mm": 0.005},
-            }),
+                "tolerance": {"scallop_mm": 0.005}
+            }"#,
         ),
-    ];
-    examples
+    ]
+}
+
+/// The specification with every setting spelled out; nothing if the texts above are wrong, which a test rules out.
+fn complete(name: &str, source: &str, settings: &str) -> Option<Value> {
+    let mut spec: Map<String, Value> = serde_json::from_str(settings).ok()?;
+    spec.insert("version".into(), VERSION.into());
+    spec.insert("name".into(), name.into());
+    spec.insert("source".into(), serde_json::from_str(source).ok()?);
+    schema::complete(&mut spec).ok()?;
+    Some(Value::Object(spec))
+}
+
+fn complete_all() -> impl Iterator<Item = (&'static str, Value)> {
+    examples()
         .into_iter()
-        .filter_map(|(id, name, source, mut settings)| {
-            settings["name"] = name.into();
-            settings["source"] = kinds::flat(&source);
-            let spec = Spec::from_json(&settings.to_string()).ok()?;
-            Some(Example { id, spec })
-        })
-        .collect()
+        .filter_map(|(id, name, source, settings)| Some((id, complete(name, &source, settings)?)))
+}
+
+/// The jobs to begin with; the first is planned when the page opens.
+pub fn gallery() -> Vec<Example> {
+    let example = |(id, spec): (&'static str, Value)| {
+        Some(Example { id, spec: Spec::from_json(&spec.to_string()).ok()? })
+    };
+    complete_all().filter_map(example).collect()
 }
 
 /// The gallery as JSON text: a list of `{id, spec}`.
 pub fn gallery_json() -> String {
-    let list: Vec<Value> = gallery().iter().map(|e| json!({ "id": e.id, "spec": e.spec })).collect();
-    Value::from(list).to_string()
+    Value::from_iter(complete_all().map(|(id, spec)| json!({ "id": id, "spec": spec }))).to_string()
+}
+
+/// A spline surface as JSON. Lists of numbers look the same in JSON as in Rust.
+fn nurbs(degree: usize, knots: [&[f64]; 2], points: &[[f64; 3]], weights: &[f64]) -> String {
+    let weights = if weights.is_empty() { String::new() } else { format!(r#""weights": {weights:?}, "#) };
+    let [u, v] = knots;
+    format!(
+        r#"{{"kind": "nurbs", "degrees": [{degree}, {degree}], "knots_u": {u:?}, "knots_v": {v:?}, {weights}"points_mm": {points:?}, "side": "front"}}"#
+    )
 }
 
 /// A bicubic spline through a control net of `counts` points, with ends clamped.
-fn cubic(counts: [usize; 2], point: impl Fn(usize, usize) -> [f64; 3]) -> SourceSpec {
+fn cubic(counts: [usize; 2], point: impl Fn(usize, usize) -> [f64; 3]) -> String {
     let knots = |count: usize| {
         let inner = count - 3;
         let mut knots = vec![0.0; 3];
@@ -74,19 +99,13 @@ fn cubic(counts: [usize; 2], point: impl Fn(usize, usize) -> [f64; 3]) -> Source
         knots
     };
     let net = (0..counts[0]).flat_map(|i| (0..counts[1]).map(move |j| (i, j)));
-    SourceSpec::Nurbs {
-        degrees: [3, 3],
-        knots_u: knots(counts[0]),
-        knots_v: knots(counts[1]),
-        // To a micrometre, so that the numbers stay short in a link.
-        points_mm: net.map(|(i, j)| point(i, j).map(|x| (x * 1e3).round() * 1e-3)).collect(),
-        weights: None,
-        side: SideSpec::Front,
-    }
+    // To a micrometre, so that the numbers stay short in a link.
+    let points: Vec<_> = net.map(|(i, j)| point(i, j).map(|x| (x * 1e3).round() * 1e-3)).collect();
+    nurbs(3, [&knots(counts[0]), &knots(counts[1])], &points, &[])
 }
 
 /// 60 × 40 mm with hills and hollows of about 4 mm.
-fn wave() -> SourceSpec {
+fn wave() -> String {
     cubic([9, 7], |i, j| {
         let (x, y) = (7.5 * i as f64 - 30.0, 40.0 / 6.0 * j as f64 - 20.0);
         [x, y, 4.5 * libm::sin(0.105 * x) * libm::cos(0.12 * y + 0.4)]
@@ -94,7 +113,7 @@ fn wave() -> SourceSpec {
 }
 
 /// The pressure side of a blade: 36 mm chord with camber, 80 mm span, twisted by 35°.
-fn twisted_blade() -> SourceSpec {
+fn twisted_blade() -> String {
     cubic([7, 8], |i, j| {
         let (s, t) = (i as f64 / 3.0 - 1.0, j as f64 / 7.0);
         let half = 18.0 * (1.0 - 0.25 * t);
@@ -106,7 +125,7 @@ fn twisted_blade() -> SourceSpec {
 
 /// The mould of a toric lens, lying open to +z: 40 × 42 mm, of radius 140 mm along x and 60 mm along y. Exact, as a
 /// rational patch: the arc along y turned about an axis along y.
-fn toric_hollow() -> SourceSpec {
+fn toric_hollow() -> String {
     let (across, along) = (arc(8.0), arc(20.0));
     let (tube, centre) = (60.0, 80.0);
     let net = across.iter().flat_map(|a| along.iter().map(move |b| (a, b)));
@@ -114,14 +133,10 @@ fn toric_hollow() -> SourceSpec {
         let from_axis = centre + tube * b.up;
         [from_axis * a.side, tube * b.side, centre + tube - from_axis * a.up]
     });
-    SourceSpec::Nurbs {
-        degrees: [2, 2],
-        knots_u: vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0],
-        knots_v: vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0],
-        points_mm: points.collect(),
-        weights: Some(net.map(|(a, b)| a.weight * b.weight).collect()),
-        side: SideSpec::Front,
-    }
+    let points: Vec<_> = points.collect();
+    let weights: Vec<_> = net.map(|(a, b)| a.weight * b.weight).collect();
+    const KNOTS: &[f64] = &[0.0, 0.0, 0.0, 1.0, 1.0, 1.0];
+    nurbs(2, [KNOTS; 2], &points, &weights)
 }
 
 /// A control point of an arc of radius 1 about the origin.
@@ -146,7 +161,7 @@ mod tests {
 
     #[test]
     fn toric_hollow_keeps_its_distance_from_its_circle() {
-        let Ok((Shape::Face(face), _)) = toric_hollow().shape(None) else { panic!("a face") };
+        let Ok((Shape::Face(face), _)) = gallery()[2].spec.source.shape(None) else { panic!("a face") };
         for (u, v) in [(0.0, 0.0), (0.31, 0.77), (0.5, 0.5), (1.0, 0.2)] {
             let (jet, n) = face.at(Uv::new(u, v)).expect("a normal");
             // The centre circle of the tube has radius 80 about an axis along y at z = 140.

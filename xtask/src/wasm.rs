@@ -1,8 +1,10 @@
 //! The WebAssembly module and its JavaScript.
 
+use crate::page;
 use crate::shell::{self, root};
 use anyhow::{Context, Result};
-use std::path::PathBuf;
+use std::fs;
+use std::path::{Path, PathBuf};
 use wasm_bindgen_cli_support::Bindgen;
 
 /// The target that browsers run.
@@ -18,6 +20,9 @@ pub fn build() -> Result<()> {
     add_target()?;
     shell::cargo(["build", "--release", "--lib", "--package", "stepover", "--target", TARGET]).run()?;
 
+    let bound = shell::target().join("bindgen");
+    let module = bound.join(MODULE);
+    let before = fs::read(&module).ok();
     Bindgen::new()
         .input_path(shell::target().join(TARGET).join("release/stepover.wasm"))
         .web(true)?
@@ -26,8 +31,35 @@ pub fn build() -> Result<()> {
         .typescript(true)
         .remove_name_section(true)
         .remove_producers_section(true)
-        .generate(folder())
-        .context("making the module's JavaScript")
+        .generate(&bound)
+        .context("making the module's JavaScript")?;
+    fs::create_dir_all(folder())?;
+    for name in ["stepover.js", "stepover.d.ts", "stepover_bg.wasm.d.ts"] {
+        fs::copy(bound.join(name), folder().join(name)).with_context(|| format!("copying {name}"))?;
+    }
+    let small = folder().join(MODULE);
+    if small.exists() && before == Some(fs::read(&module)?) {
+        return Ok(());
+    }
+    // Whatever interrupts this must not leave the module of another build.
+    if small.exists() {
+        fs::remove_file(&small)?;
+    }
+    shrink(&module, &small)
+}
+
+const MODULE: &str = "stepover_bg.wasm";
+
+/// Writes the module `from` to `to` without what is said twice. `-O1`: higher levels take three times as long for a
+/// thousandth of the size.
+fn shrink(from: &Path, to: &Path) -> Result<()> {
+    page::install()?;
+    let features = ["simd", "bulk-memory", "nontrapping-float-to-int", "sign-ext", "mutable-globals"];
+    let more = ["reference-types", "multivalue", "extended-const"];
+    let mut args: Vec<String> = features.iter().chain(&more).map(|name| format!("--enable-{name}")).collect();
+    args.extend(["-O1".into(), from.display().to_string(), "-o".into(), to.display().to_string()]);
+    let args: Vec<&str> = args.iter().map(String::as_str).collect();
+    page::tool("wasm-opt", &args).run()
 }
 
 /// Makes sure that Rust can compile for the browser.
