@@ -14,6 +14,7 @@ mod need;
 mod pass;
 mod reach;
 mod rest;
+mod sliver;
 mod turn;
 
 use crate::contact::{DropMesh, Underside};
@@ -21,12 +22,13 @@ use crate::cutter::Cutter;
 use crate::geometry::{TriMesh, Zone};
 use crate::monitor::{Cancelled, Stage};
 use crate::toolpath::Pass;
-use across::{survey, survey_closely};
+use across::{survey, survey_closely, survey_slivers};
 use cut::Lines;
 use fill::{Stretch, fill};
 use ground::{Grain, Ground, Limits};
 use line::Lowering;
 use reach::Closing;
+use sliver::slivers;
 use turn::Turn;
 
 /// How to lay the lines.
@@ -126,15 +128,25 @@ pub fn raster(
 
     let hidden = rest::hidden_area(&mesh);
     let cubes = rest::cubes(seen.beyond.max(hidden), CELL * grain.along);
-    let closer = stage.part("Looking closely", 0.6, 0.75);
+    let closer = stage.part("Looking closely", 0.6, 0.72);
     let (wanting, mut unreached) = survey_closely(&ground, &lines, &seen.out, &cubes, &turn, &closer)?;
+    let narrow = slivers(&ground, &stage.part("Looking closely", 0.72, 0.73))?;
+    let (more, narrow) = survey_slivers(
+        &ground,
+        &lines,
+        &narrow,
+        &mut unreached,
+        &turn,
+        &stage.part("Looking closely", 0.73, 0.75),
+    )?;
+    let wanting = [wanting, more].concat();
     let hopeless = fill(wanting, &ground, &mut lines, cusp, &stage.part("Filling in", 0.75, 0.8))?;
     hopeless.iter().for_each(|w| rest::add_spot(&mut unreached, &w.spot, grain, &turn));
 
     let is_first = |place: u32| place % HALVINGS == HALVINGS / 2;
     let size = (PIECE * cusp, options.bridge);
     let needless = stage.part("Leaving out the needless", 0.8, 0.93);
-    let lines = need::needed(&lines, is_first, &ground, &seen.out, size, &needless)?;
+    let lines = need::needed(&lines, is_first, &ground, (&seen.out, &narrow), size, &needless)?;
     let list = lines.iter().map(|(place, drops)| (lines.y(place), drops)).collect::<Vec<_>>();
     let passes = stage.part("Thinning", 0.93, 0.97).map(list.len(), |i| {
         let (y, drops) = list[i];

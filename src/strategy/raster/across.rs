@@ -4,6 +4,7 @@ use super::cut::Lines;
 use super::ground::{Ground, Patch};
 use super::reach::Spot;
 use super::rest;
+use super::sliver::Sliver;
 use super::turn::Turn;
 use crate::geometry::Cubes;
 use crate::monitor::{Cancelled, Stage};
@@ -128,6 +129,33 @@ pub(super) fn survey_closely(
         beyond.absorb(b);
     }
     Ok((wanting, beyond))
+}
+
+/// Looks at slivers: gives back those that are too high and within reach, and adds the others to `beyond`.
+pub(super) fn survey_slivers(
+    ground: &Ground<'_>,
+    lines: &Lines,
+    slivers: &[Sliver],
+    beyond: &mut Cubes,
+    turn: &Turn,
+    stage: &Stage<'_>,
+) -> Result<(Vec<Wanting>, Vec<Spot>), Cancelled> {
+    let found = stage.map(slivers.len().div_ceil(CHUNK), |i| {
+        let chunk = &slivers[i * CHUNK..slivers.len().min((i + 1) * CHUNK)];
+        chunk.iter().map(|sliver| ground.look(lines, &sliver.spot)).collect::<Vec<_>>()
+    })?;
+    let (mut wanting, mut within) = (Vec::new(), Vec::new());
+    for (sliver, found) in slivers.iter().zip(found.concat()) {
+        match found {
+            Found::OutOfReach => rest::add_piece(beyond, sliver.corners, turn),
+            Found::Low => within.push(sliver.spot),
+            Found::Wanting(axis) => {
+                within.push(sliver.spot);
+                wanting.push(Wanting { spot: sliver.spot, axis, asked: Asked::Nothing });
+            }
+        }
+    }
+    Ok((wanting, within))
 }
 
 /// What a look at one spot found.

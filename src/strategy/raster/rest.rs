@@ -3,6 +3,7 @@
 use super::ground::{Grain, WALL};
 use super::line::Lowering;
 use super::reach::Spot;
+use super::sliver::pieces;
 use super::turn::Turn;
 use crate::geometry::{Cubes, TriMesh, Zone};
 use crate::monitor::{Cancelled, Stage};
@@ -54,6 +55,11 @@ pub(super) fn add_spot(cubes: &mut Cubes, spot: &Spot, grain: Grain, turn: &Turn
     add_patch(cubes, (spot.point, spot.normal), (low, high), turn);
 }
 
+/// Adds a piece of a facet whose area is counted elsewhere.
+pub(super) fn add_piece(cubes: &mut Cubes, corners: [DVec3; 3], turn: &Turn) {
+    cubes.add(&corners.map(|p| turn.to_world(p)), MARGIN * cubes.cell(), 0.0);
+}
+
 /// Area of the facets that are surely not seen from above, mm².
 pub(super) fn hidden_area(mesh: &TriMesh) -> f64 {
     let hidden = |&i: &usize| mesh.normal(i).is_some_and(|n| n.z <= WALL);
@@ -96,25 +102,9 @@ fn add(cubes: &mut Cubes, corners: [DVec3; 3], turn: &Turn) {
     cubes.add(&corners.map(|p| turn.to_world(p)), ROUNDING * cubes.cell(), area);
 }
 
-/// Adds what of a facet lies below others, halved along its longest side until it is small.
+/// Adds what of a facet lies below others, in small pieces.
 fn add_covered(cubes: &mut Cubes, corners: [DVec3; 3], lowering: &Lowering<'_>, turn: &Turn) {
-    let mut open = vec![corners];
-    while let Some([a, b, c]) = open.pop() {
-        let sides = [a.distance_squared(b), b.distance_squared(c), c.distance_squared(a)];
-        let longest = sides[0].max(sides[1]).max(sides[2]);
-        if longest > cubes.cell() * cubes.cell() {
-            let [a, b, c] = if longest == sides[0] {
-                [a, b, c]
-            } else if longest == sides[1] {
-                [b, c, a]
-            } else {
-                [c, a, b]
-            };
-            let middle = 0.5 * (a + b);
-            open.push([a, middle, c]);
-            open.push([middle, b, c]);
-            continue;
-        }
+    for [a, b, c] in pieces(corners, cubes.cell()) {
         let p = (a + b + c) / 3.0;
         if lowering.mesh.top(p.x, p.y).is_some_and(|(z, _)| z > p.z + COVERED) {
             add(cubes, [a, b, c], turn);
