@@ -28,6 +28,9 @@ pub(super) struct Setup<'a> {
 /// path may gouge, so that the chords between stations have the other half.
 pub(super) const GOUGE: f64 = 0.0005;
 
+/// Lean of a strip up to which the run-out of its pass surely cuts what the strip leaves before the border.
+const RUN_OUT_LEAN: f64 = 0.25;
+
 /// How far a strip reaches to one side.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Reach {
@@ -108,8 +111,9 @@ impl Setup<'_> {
 
     fn reach(&self, edge: Edge, contact: Uv) -> Option<Reach> {
         match edge {
-            // A strip that lies aslant leaves over the ends of its line: there it still ends at a level.
-            Edge::Border(uv) if self.ends_levels(uv) => {
+            // A strip that lies far aslant leaves over the ends of its line: there it still ends at a level. Where it leans
+            // less, what it leaves there is cut as the pass runs out.
+            Edge::Border(uv) if self.ends_levels(uv) || self.lean(contact, uv) < RUN_OUT_LEAN => {
                 let point = self.face.surface.point(contact);
                 Some(Reach::Border { column: self.column.value(contact, point), point })
             }
@@ -120,6 +124,13 @@ impl Setup<'_> {
             }
             Edge::Gouge(_) => None,
         }
+    }
+
+    /// How far `edge` lies ahead of the contact or behind it, as a share of how far beside it.
+    fn lean(&self, contact: Uv, edge: Uv) -> f64 {
+        let Some((jet, frame)) = self.frame(contact, false) else { return f64::INFINITY };
+        let away = self.face.surface.point(edge) - jet.p;
+        (away.dot(frame.f) / away.dot(frame.b)).abs()
     }
 
     /// Whether the border at `uv` is one that the levels end at. Where planes cut a face aslant, any border is.

@@ -74,7 +74,7 @@ const FILES = [
       ['cutter.corner_radius_mm', 1.5],
       ['cutter.diameter_mm', 6],
       ['strategy.lead_deg', 15],
-      ['tolerance.scallop_mm', 0.05],
+      ['tolerance.scallop_mm', 0.02],
     ],
   },
   {
