@@ -94,43 +94,49 @@ impl Samples {
         Self { samples, areas: Vec::new(), triangles, grid: Some(grid), face: Some(face.clone()) }.weighed()
     }
 
-    /// Samples of `mesh`: each triangle by itself, on a regular lattice whose neighbours are at most `spacing` (mm) apart,
-    /// with the triangle's own normal. Points on a shared edge come once for each of its triangles.
+    /// Samples of `mesh`: each triangle by itself, with its own normal, in columns square to its longest side; columns, and
+    /// samples in a column, are at most `spacing` (mm) apart, so that needles do not have as many rows as columns. Points
+    /// on a shared edge come once for each of its triangles.
     pub fn of_mesh(mesh: &TriMesh, spacing: f64) -> Result<Self, SampleError> {
         if !(spacing > 0.0 && spacing.is_finite()) {
             return Err(SampleError::Spacing);
         }
-        let parts = |i: usize| {
-            let [a, b, c] = mesh.corners(i);
-            (a.distance(b).max(b.distance(c)).max(c.distance(a)) / spacing).ceil().max(1.0)
-        };
-        let cut: Vec<usize> = (0..mesh.triangles.len()).filter(|i| mesh.normal(*i).is_some()).collect();
-        let count: f64 = cut.iter().map(|&i| 0.5 * (parts(i) + 1.0) * (parts(i) + 2.0)).sum();
-        check_count(count, spacing)?;
+        let facets: Vec<[DVec3; 3]> = (0..mesh.triangles.len()).map(|i| mesh.corners(i)).collect();
+        let sampled = || facets.iter().enumerate().filter_map(|(i, f)| Some((*f, mesh.normal(i)?)));
+        // The longest sides bound the work of counting.
+        let longest = |[a, b, c]: [DVec3; 3]| a.distance(b).max(b.distance(c)).max(c.distance(a));
+        check_count(sampled().map(|(facet, _)| longest(facet) / spacing).sum(), spacing)?;
+        let count = |facet| columns(facet, spacing).map(|c| f64::from(c.parts) + 1.0).sum::<f64>();
+        check_count(sampled().map(|(facet, _)| count(facet)).sum(), spacing)?;
         let mut all =
             Self { samples: Vec::new(), areas: Vec::new(), triangles: Vec::new(), grid: None, face: None };
-        for i in cut {
-            let [a, b, c] = mesh.corners(i);
-            all.add_lattice(a, b, c, mesh.normal(i).unwrap_or(DVec3::ZERO), parts(i) as u32);
-        }
+        sampled().for_each(|(facet, normal)| all.add_columns(facet, normal, spacing));
         Ok(all.weighed())
     }
 
-    fn add_lattice(&mut self, a: DVec3, b: DVec3, c: DVec3, normal: DVec3, parts: u32) {
-        let base = self.samples.len() as u32;
-        // Row j holds parts + 1 − j points.
-        let row = |j: u32| base + j * (2 * parts + 3 - j) / 2;
-        for j in 0..=parts {
-            for i in 0..=parts - j {
-                let (s, t) = (f64::from(i) / f64::from(parts), f64::from(j) / f64::from(parts));
-                self.samples.push(Sample { point: a * (1.0 - s - t) + b * s + c * t, normal });
-                if i + j < parts {
-                    self.triangles.push([row(j) + i, row(j) + i + 1, row(j + 1) + i]);
-                }
-                if i + j + 1 < parts {
-                    self.triangles.push([row(j) + i + 1, row(j + 1) + i + 1, row(j + 1) + i]);
-                }
+    fn add_columns(&mut self, facet: [DVec3; 3], normal: DVec3, spacing: f64) {
+        let mut left: Option<(Column, u32)> = None;
+        for column in columns(facet, spacing) {
+            let first = self.samples.len() as u32;
+            let point = |k| column.foot.lerp(column.top, f64::from(k) / f64::from(column.parts.max(1)));
+            self.samples.extend((0..=column.parts).map(|k| Sample { point: point(k), normal }));
+            if let Some((before, begin)) = left {
+                self.join((begin, before.parts), (first, column.parts));
             }
+            left = Some((column, first));
+        }
+    }
+
+    /// Triangles between two columns, each given by its first sample and its parts, upwards on whichever side is lower.
+    fn join(&mut self, (left, m): (u32, u32), (right, n): (u32, u32)) {
+        let (mut i, mut j) = (0, 0);
+        while i < m || j < n {
+            let (a, b) = (left + i, right + j);
+            // The next of either side, as parts of the way up.
+            let left_next =
+                j == n || (i < m && u64::from(i + 1) * u64::from(n) <= u64::from(j + 1) * u64::from(m));
+            self.triangles.push(if left_next { [a, b, a + 1] } else { [a, b, b + 1] });
+            if left_next { i += 1 } else { j += 1 }
         }
     }
 
@@ -164,6 +170,42 @@ impl Samples {
         let grid = self.grid.as_ref()?;
         Some(grid.v.iter().flat_map(|&v| grid.u.iter().map(move |&u| Uv::new(u, v))).collect())
     }
+}
+
+/// Samples across a triangle.
+#[derive(Clone, Copy)]
+struct Column {
+    foot: DVec3,
+    top: DVec3,
+    parts: u32,
+}
+
+/// The columns of a triangle from one end of its longest side to the other, one of them through its third corner.
+fn columns([a, b, c]: [DVec3; 3], spacing: f64) -> impl Iterator<Item = Column> {
+    let sides = [a.distance(b), b.distance(c), c.distance(a)];
+    let longest = sides[0].max(sides[1]).max(sides[2]);
+    let [a, b, c] = match sides.iter().position(|side| *side == longest) {
+        Some(1) => [b, c, a],
+        Some(2) => [c, a, b],
+        _ => [a, b, c],
+    };
+    // The third corner's foot, as a part of the longest side. A triangle with no need of columns is left whole.
+    let whole = longest <= spacing;
+    let under = if whole { 0.0 } else { ((c - a).dot(b - a) / (longest * longest)).clamp(0.0, 1.0) };
+    // Where a side is steep over the longest one, columns stand closer, so that its triangles do not become needles.
+    let height = if whole { 0.0 } else { c.distance(a.lerp(b, under)) };
+    let count = |share: f64| ((share * longest).max(0.5 * height) / spacing).ceil() as u32;
+    let (before, after) = (count(under), count(1.0 - under));
+    let column = move |share: f64, top: DVec3| {
+        let foot = a.lerp(b, share);
+        Column { foot, top, parts: (foot.distance(top) / spacing).ceil() as u32 }
+    };
+    let rising = (0..before).map(move |k| f64::from(k) / f64::from(before));
+    let falling = (1..=after).map(move |k| f64::from(k) / f64::from(after));
+    rising
+        .map(move |t| column(under * t, a.lerp(c, t)))
+        .chain(std::iter::once(column(under, c)))
+        .chain(falling.map(move |t| column(under + (1.0 - under) * t, c.lerp(b, t))))
 }
 
 fn check_count(count: f64, spacing: f64) -> Result<(), SampleError> {
@@ -219,4 +261,50 @@ fn even(speed: &[f64], count: usize) -> Vec<f64> {
     fractions[0] = 0.0;
     fractions[count] = 1.0;
     fractions
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn facet(corners: [DVec3; 3]) -> TriMesh {
+        TriMesh { vertices: corners.to_vec(), triangles: vec![[0, 1, 2]] }
+    }
+
+    proptest! {
+        #[test]
+        fn samples_of_a_facet_are_nowhere_far_and_stand_for_its_area(
+            c in proptest::array::uniform9(-1.0..1.0f64),
+            flat in 0.001..1.0f64,
+            spacing in 0.05..0.8f64,
+            spots in proptest::collection::vec((0.0..1.0f64, 0.0..1.0f64), 8),
+        ) {
+            let corners = [0, 3, 6].map(|i| DVec3::new(c[i], flat * c[i + 1], c[i + 2]));
+            let mesh = facet(corners);
+            let (Some(_), area) = (mesh.normal(0), mesh.area(0)) else { return Ok(()) };
+            let samples = Samples::of_mesh(&mesh, spacing).unwrap();
+            prop_assert!((samples.area() - area).abs() <= 1e-12);
+            for corner in corners {
+                prop_assert!(samples.samples.iter().any(|s| s.point.distance(corner) <= 1e-12));
+            }
+            for (s, t) in spots {
+                let (s, t) = if s + t > 1.0 { (1.0 - s, 1.0 - t) } else { (s, t) };
+                let p = corners[0] + s * (corners[1] - corners[0]) + t * (corners[2] - corners[0]);
+                prop_assert!(samples.samples.iter().any(|sample| sample.point.distance(p) <= spacing));
+            }
+            let normal = mesh.normal(0).unwrap();
+            for [i, j, k] in &samples.triangles {
+                let [i, j, k] = [i, j, k].map(|n| samples.samples[*n as usize].point);
+                prop_assert!((j - i).cross(k - i).dot(normal) >= -1e-12);
+                prop_assert!(i.distance(j).max(j.distance(k)).max(k.distance(i)) <= 3.5 * spacing);
+            }
+        }
+    }
+
+    #[test]
+    fn a_needle_has_samples_along_it_and_few_across() {
+        let needle = facet([DVec3::ZERO, DVec3::X * 100.0, DVec3::new(60.0, 0.01, 0.0)]);
+        assert!(Samples::of_mesh(&needle, 0.1).unwrap().samples.len() <= 2 * 1002);
+    }
 }
