@@ -3,6 +3,7 @@
 use super::body::Body;
 use super::cells::{Cell, halve, share_out};
 use super::entry::{Line, enter};
+use super::samples::Sample;
 use super::sweeps::{Candidate, Sweeps};
 use crate::monitor::{Cancelled, Stage};
 use crate::toolpath::Toolpath;
@@ -56,35 +57,33 @@ impl Scene {
         Self { body, sweeps, from, to }
     }
 
-    /// The first entry of each line `points[i] + t·directions[i]`. A direction that is zero meets nothing.
+    /// The line of interest through `sample`.
+    pub(super) fn line(&self, sample: &Sample) -> Line {
+        Line { point: sample.point, direction: sample.normal, from: self.from, to: self.to }
+    }
+
+    /// The first entry of each of `count` lines, which begin at the scene's lowest `t`. One without a direction meets nothing.
     pub(super) fn cut(
         &self,
-        points: &[DVec3],
-        directions: &[DVec3],
+        count: usize,
+        line: impl Fn(usize) -> Line + Sync,
         stage: &Stage,
     ) -> Result<Vec<Hit>, Cancelled> {
         let ends = |i: &u32| {
-            let (point, direction) = (points[*i as usize], directions[*i as usize]);
-            [point, point + direction * self.from]
+            let Line { point, direction, from, .. } = line(*i as usize);
+            [point, point + direction * from]
         };
         let mut order: Vec<u32> =
-            (0..points.len() as u32).filter(|&i| directions[i as usize] != DVec3::ZERO).collect();
+            (0..count as u32).filter(|&i| line(i as usize).direction != DVec3::ZERO).collect();
         let tasks = share_out(&mut order, TASK, ends, |i| *i);
         let cut_task = |task: usize| -> Vec<(u32, Hit)> {
-            let job = |&i: &u32| {
-                let (point, direction) = (points[i as usize], directions[i as usize]);
-                Job {
-                    number: i,
-                    line: Line { point, direction, from: self.from, to: self.to },
-                    hit: Hit::NONE,
-                }
-            };
+            let job = |&i: &u32| Job { number: i, line: line(i as usize), hit: Hit::NONE };
             let mut jobs: Vec<Job> = tasks[task].iter().map(job).collect();
             let mut near = Vec::from_iter(self.sweeps.root());
             self.cut_cell(&mut jobs, &mut near, 0);
             jobs.iter().map(|job| (job.number, job.hit)).collect()
         };
-        let mut all = vec![Hit::NONE; points.len()];
+        let mut all = vec![Hit::NONE; count];
         for (number, hit) in stage.map(tasks.len(), cut_task)?.into_iter().flatten() {
             all[number as usize] = hit;
         }

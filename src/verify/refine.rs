@@ -13,8 +13,8 @@ pub(super) struct Field<'a> {
     pub(super) samples: Vec<Sample>,
     pub(super) hits: Vec<Hit>,
     parameters: Option<Vec<Uv>>,
-    /// Whether a sample counts; new ones do.
-    counts: Vec<bool>,
+    /// Whether a sample's excess is judged; new ones' is.
+    judged: Vec<bool>,
     /// The samples in the middles of edges: neighbours are seldom split at the same time.
     middles: BTreeMap<(u32, u32), u32>,
 }
@@ -58,7 +58,7 @@ impl<'a> Field<'a> {
         Self {
             source,
             samples: source.samples.clone(),
-            counts: hits.iter().zip(excluded).map(|(hit, out)| hit.t.is_finite() && !out).collect(),
+            judged: excluded.iter().map(|out| !out).collect(),
             hits,
             parameters: source.parameters(),
             middles: BTreeMap::new(),
@@ -143,8 +143,13 @@ impl<'a> Field<'a> {
         Ok(Searched { best: Some(best), error: if reached { error.min(search.tolerance) } else { error } })
     }
 
+    /// Whether the sample was reached, and is judged; gouges are judged everywhere.
+    fn counts(&self, sense: Sense, i: usize) -> bool {
+        self.hits[i].t.is_finite() && (self.judged[i] || sense == Sense::Gouge)
+    }
+
     fn best(&self, sense: Sense, from: usize, before: Option<(f64, usize)>) -> Option<(f64, usize)> {
-        (from..self.samples.len()).filter(|&i| self.counts[i]).fold(before, |best, i| {
+        (from..self.samples.len()).filter(|&i| self.counts(sense, i)).fold(before, |best, i| {
             let value = sense.value(self.hits[i].t);
             if best.is_some_and(|(most, _)| most >= value) { best } else { Some((value, i)) }
         })
@@ -153,7 +158,7 @@ impl<'a> Field<'a> {
     /// The bound over a triangle; minus infinite if a corner was never reached or is excluded: such are not judged.
     fn bound(&self, sense: Sense, scene: &Scene, triangle: [u32; 3]) -> f64 {
         let corners = triangle.map(|i| i as usize);
-        if !corners.iter().all(|&i| self.counts[i]) {
+        if !corners.iter().all(|&i| self.counts(sense, i)) {
             return f64::NEG_INFINITY;
         }
         let samples = corners.map(|i| &self.samples[i]);
@@ -215,10 +220,9 @@ impl<'a> Field<'a> {
             children.extend([[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]);
         }
         self.middles = middles;
-        let points: Vec<_> = self.samples[begin..].iter().map(|s| s.point).collect();
-        let normals: Vec<_> = self.samples[begin..].iter().map(|s| s.normal).collect();
-        let hits = scene.cut(&points, &normals, stage)?;
-        self.counts.extend(hits.iter().map(|hit| hit.t.is_finite()));
+        let added = &self.samples[begin..];
+        let hits = scene.cut(added.len(), |i| scene.line(&added[i]), stage)?;
+        self.judged.resize(self.samples.len(), true);
         self.hits.extend(hits);
         Ok(children)
     }

@@ -3,6 +3,7 @@
 use super::body::Body;
 use super::bound::Sense;
 use super::cut::Scene;
+use super::entry::Line;
 use super::refine::{Field, Search, Searched};
 use super::samples::{Sample, Samples};
 use super::statistics::{Extreme, Statistics, quantiles};
@@ -28,7 +29,7 @@ pub struct Options<'a> {
     pub sampling_tolerance: f64,
     /// Samples that may be added to reach it, for either extreme. With 0 the errors are not looked into, only bounded in haste.
     pub most_refined: usize,
-    /// A part of the surface that the path is not asked to cut.
+    /// A part of the surface that the path is not asked to cut: there only gouges are looked for.
     pub excluded: Option<&'a Zone>,
 }
 
@@ -103,7 +104,7 @@ pub struct Refined {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verification {
     /// Excess of each sample, millimetres, in their order: negative for a gouge (minus the depth searched if deeper),
-    /// infinite where nothing came within the search height.
+    /// infinite where nothing came within the search height, or, where excluded, below the surface.
     pub excess: Vec<f64>,
     /// Samples added where the extremes might have hidden.
     pub refined: Vec<Refined>,
@@ -127,17 +128,20 @@ pub fn verify(
     check_path(path)?;
     let scene = Scene::new(Body::new(cutter, options.shank), path, -options.depth, options.search);
     let count = samples.samples.len();
-    let points: Vec<DVec3> = samples.samples.iter().map(|s| s.point).collect();
-    let normals: Vec<DVec3> = samples.samples.iter().map(|s| s.normal).collect();
-    let hits = scene.cut(&points, &normals, &stage.part("cutting samples", 0.0, 0.7))?;
-    let excess: Vec<f64> = hits.iter().map(|hit| hit.t).collect();
-
     let zone = options.excluded;
     let excluded: Vec<bool> = samples
         .samples
         .iter()
         .map(|s| s.normal == DVec3::ZERO || zone.is_some_and(|z| z.contains(s.point)))
         .collect();
+    // What the path is not asked to cut may still be gouged.
+    let line = |i: usize| {
+        let line = scene.line(&samples.samples[i]);
+        Line { to: if excluded[i] { 0.0 } else { line.to }, ..line }
+    };
+    let hits = scene.cut(count, line, &stage.part("cutting samples", 0.0, 0.7))?;
+    let excess: Vec<f64> = hits.iter().map(|hit| hit.t).collect();
+
     let mut field = Field::new(samples, hits, &excluded);
     let search = Search { tolerance: options.sampling_tolerance, most: options.most_refined };
     let max =
