@@ -3,6 +3,7 @@
 //! Specifications, reports and lists travel as JSON text, geometry as flat typed arrays. Errors are thrown as a string
 //! that holds JSON `{code, message, field?}`.
 
+use crate::geometry::Zone;
 use crate::job::{self, JobError, Picture, Plan, Proof, Spec};
 use crate::monitor::{Monitor, Stage};
 use crate::toolpath::{Rate, Role};
@@ -104,6 +105,26 @@ impl Preview {
     }
 }
 
+/// More cubes than this only fill a screen.
+const MOST_CUBES: usize = 60_000;
+
+/// A zone to draw.
+#[wasm_bindgen]
+pub struct Cubes(Zone);
+
+#[wasm_bindgen]
+impl Cubes {
+    /// x, y, z of each cube's middle, mm.
+    pub fn centers(&self) -> Float32Array {
+        let flat: Vec<f32> = self.0.centers().flat_map(|p| p.as_vec3().to_array()).collect();
+        Float32Array::from(&flat[..])
+    }
+    /// Edge of the cubes, mm.
+    pub fn edge(&self) -> f64 {
+        self.0.cell()
+    }
+}
+
 /// The shape of a specification, before anything is planned.
 #[wasm_bindgen]
 pub fn preview(spec: &str, bytes: Option<Vec<u8>>) -> Result<Preview, JsValue> {
@@ -165,10 +186,9 @@ impl Outcome {
         Float32Array::from(&flat[..])
     }
 
-    /// x, y, z of the cubes that hold what the cutter cannot reach.
-    pub fn zones(&self) -> Float32Array {
-        let flat: Vec<f32> = self.plan.unreached().centers().flat_map(|p| p.as_vec3().to_array()).collect();
-        Float32Array::from(&flat[..])
+    /// What the cutter cannot reach.
+    pub fn unreached(&self) -> Cubes {
+        Cubes(self.plan.unreached().in_cubes(MOST_CUBES))
     }
 
     /// The shape with its excess; nothing before the proof.

@@ -27,11 +27,11 @@
  * A gouge is 0 or negative; what is `null` has no bound, or was not cut.
  *
  * @typedef {{ report: Report, seconds: number, proofSeconds: number | null, path: Float32Array,
- *   contacts: Float32Array, zones: Float32Array, outline: Float32Array, picture: Picture | null, excess: Float32Array | null,
+ *   contacts: Float32Array, zones: Float32Array, zoneEdge: number, outline: Float32Array, picture: Picture | null, excess: Float32Array | null,
  *   files: { apt: Blob, nc: Blob | null, csv: Blob, report: Blob } }} Outcome
  * `path` has eight numbers a point: tip x, y, z, axis i, j, k, kind (0 cut, 1 link, 2 rapid), length so far.
  * `contacts` has three: where the cutter touches, or the tip on links. `excess` has one a vertex of the picture; both come with
- * the proof. `outline` has the cutter's radius and height a point.
+ * the proof. `zones` has the middles of cubes with edges of `zoneEdge` millimetres. `outline` has the cutter's radius and height a point.
  *
  * @typedef {{ code: string, message: string, field?: string }} Problem
  * @typedef {{ id: string | null, name: string, bytes: Uint8Array | null, info: Inspection | null }} Source

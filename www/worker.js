@@ -46,12 +46,15 @@ const operations = {
     const outcome = planner.plan(text, bytes ?? undefined, progress);
     current = outcome;
     const seconds = (performance.now() - began) / 1000;
+    const unreached = outcome.unreached();
     const arrays = {
       path: outcome.path(),
       contacts: outcome.contacts(),
-      zones: outcome.zones(),
+      zones: unreached.centers(),
       outline: planner.outline(text),
     };
+    const zoneEdge = unreached.edge();
+    unreached.free();
     const report = outcome.report();
     const nc = outcome.nc();
     // As blobs the texts stay out of the page's memory until somebody saves them.
@@ -63,7 +66,7 @@ const operations = {
     };
     const none = { picture: null, excess: null, proofSeconds: null };
     return {
-      result: { report: JSON.parse(report), seconds, ...arrays, ...none, files },
+      result: { report: JSON.parse(report), seconds, ...arrays, zoneEdge, ...none, files },
       transfer: buffers(arrays),
     };
   },

@@ -22,6 +22,11 @@ impl Cubes {
         Self { zone: Zone { origin, cell, cells: Vec::new(), area: 0.0 }, most: most.max(1) }
     }
 
+    /// Those of `zone`, at most `most`.
+    pub(super) fn of(zone: Zone, most: usize) -> Self {
+        Self { zone, most: most.max(1) }
+    }
+
     /// Edge of the cubes by now, mm.
     pub fn cell(&self) -> f64 {
         self.zone.cell
@@ -31,16 +36,10 @@ impl Cubes {
     /// them, that stands for `area` mm².
     pub fn add(&mut self, corners: &[DVec3], margin: f64, area: f64) {
         let Zone { origin, cell, .. } = self.zone;
-        let margin = margin / cell;
-        let mut polygon = Polygon::default();
-        corners.iter().for_each(|&p| polygon.push((p - origin) / cell));
-        for i in polygon.span(0, margin) {
-            let strip = polygon.between(0, f64::from(i), margin);
-            for j in strip.span(1, margin) {
-                let rod = strip.between(1, f64::from(j), margin);
-                self.zone.cells.extend(rod.span(2, margin).map(|k| [i, j, k]));
-            }
-        }
+        each_cube(corners.iter().map(|&p| (p - origin) / cell), margin / cell, |cube| {
+            self.zone.cells.push(cube);
+            true
+        });
         self.zone.area += area;
         self.settle(WAITING);
     }
@@ -96,6 +95,24 @@ impl Cubes {
             *cube = cube.map(|c| c >> 1);
         }
     }
+}
+
+/// Calls `visit` with the cubes of edge 1 within `margin` of the flat convex polygon with these corners, in order, as long
+/// as it returns true; whether it always did.
+pub(super) fn each_cube(
+    corners: impl Iterator<Item = DVec3>,
+    margin: f64,
+    mut visit: impl FnMut([i32; 3]) -> bool,
+) -> bool {
+    let mut polygon = Polygon::default();
+    corners.for_each(|p| polygon.push(p));
+    polygon.span(0, margin).all(|i| {
+        let strip = polygon.between(0, f64::from(i), margin);
+        strip.span(1, margin).all(|j| {
+            let rod = strip.between(1, f64::from(j), margin);
+            rod.span(2, margin).all(|k| visit([i, j, k]))
+        })
+    })
 }
 
 /// A flat convex polygon of at most a dozen corners: four, and one more for each of the four cuts.
@@ -167,6 +184,7 @@ mod tests {
             cubes.add(&[a, b, c], 1e-9, 2.0);
             let zone = cubes.zone();
             prop_assert!(zone.centers().count() <= most && zone.area() == 2.0);
+            prop_assert!(zone.holds(&[a, b, c]) && !zone.holds(&[a, b, c + DVec3::splat(20.0)]));
             for i in 0..=40 {
                 for j in 0..=40 - i {
                     let p = a + (b - a) * (f64::from(i) / 40.0) + (c - a) * (f64::from(j) / 40.0);

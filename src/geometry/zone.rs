@@ -1,6 +1,6 @@
 //! A part of a surface, kept as the cubes of space that it passes through.
 
-use super::cubes::Cubes;
+use super::cubes::{Cubes, each_cube};
 use glam::DVec3;
 
 /// A part of a surface, kept as the cubes of edge [`Zone::cell`] that it passes through, and its area.
@@ -69,6 +69,12 @@ impl Zone {
         Self { area, ..cubes.zone() }
     }
 
+    /// The zone in at most `most` cubes, their edge doubled as often as that takes: to draw it.
+    #[must_use]
+    pub fn in_cubes(&self, most: usize) -> Self {
+        Cubes::of(self.clone(), most).zone()
+    }
+
     /// A zone that holds nothing.
     pub fn empty() -> Self {
         Self { origin: DVec3::ZERO, cell: 1.0, cells: Vec::new(), area: 0.0 }
@@ -77,6 +83,12 @@ impl Zone {
     /// Whether `point` lies in one of the zone's cubes.
     pub fn contains(&self, point: DVec3) -> bool {
         self.cells.binary_search(&key((point - self.origin) / self.cell)).is_ok()
+    }
+
+    /// Whether all of the flat convex polygon with these corners, 3 or 4 of them, lies in the zone's cubes.
+    pub fn holds(&self, corners: &[DVec3]) -> bool {
+        let corners = corners.iter().map(|&p| (p - self.origin) / self.cell);
+        each_cube(corners, 0.0, |cube| self.cells.binary_search(&cube).is_ok())
     }
 
     /// The area that the samples stood for, square millimetres.
@@ -126,5 +138,15 @@ mod tests {
         }
         assert_eq!(a.joined(&Zone::empty()).centers().count(), a.centers().count());
         assert_eq!(a.joined(&a).centers().count(), a.centers().count());
+    }
+
+    #[test]
+    fn fewer_cubes_hold_what_more_held() {
+        let points = || (0..500).map(|i| DVec3::new(0.1 * f64::from(i), 0.05 * f64::from(i % 40), -3.0));
+        let zone = Zone::from_samples(0.05, points().map(|p| (p, 1.0)));
+        let drawn = zone.in_cubes(90);
+        assert!(drawn.centers().count() <= 90 && points().all(|p| drawn.contains(p)));
+        assert_eq!(drawn.area(), zone.area());
+        assert_eq!(zone.in_cubes(500), zone);
     }
 }

@@ -165,7 +165,7 @@ export function createCanvas3d(root, { onFace }) {
   function showPath({ outcome, layers, at }) {
     const size = surface.box.isEmpty() ? 100 : surface.box.min.distanceTo(surface.box.max);
     path.set(outcome, size);
-    zones.set(outcome?.zones ?? null, outcome?.report.unreachable.cell_mm ?? 1, (before, after) => {
+    zones.set(outcome?.zones ?? null, outcome?.zoneEdge ?? 1, (before, after) => {
       after.visible = layers.zones;
       scene.remove(before);
       scene.add(after);

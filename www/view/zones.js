@@ -1,9 +1,6 @@
 /** Where the cutter cannot reach: one cube a cell. */
 import { BoxGeometry, Color, InstancedMesh, Matrix4, MeshLambertMaterial } from 'three';
 
-/** More cubes than this only fill the screen. */
-const MOST = 60_000;
-
 export function createZones() {
   const material = new MeshLambertMaterial({ transparent: true, opacity: 0.5 });
   let cubes = new InstancedMesh(new BoxGeometry(1, 1, 1), material, 0);
@@ -22,7 +19,7 @@ export function createZones() {
     set(centres, edge, replace) {
       if (centres === shown) return;
       shown = centres;
-      const count = Math.min((centres?.length ?? 0) / 3, MOST);
+      const count = (centres?.length ?? 0) / 3;
       const next = new InstancedMesh(cubes.geometry, material, count);
       const matrix = new Matrix4();
       for (let i = 0; i < count; i += 1) {

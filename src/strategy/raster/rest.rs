@@ -1,16 +1,16 @@
 //! What stays unfinished, as zones.
 
+use super::facet::{COVERED, small};
 use super::ground::{Grain, WALL};
 use super::line::Lowering;
 use super::reach::Spot;
-use super::sliver::pieces;
 use super::turn::Turn;
 use crate::geometry::{Cubes, TriMesh, Zone};
 use crate::monitor::{Cancelled, Stage};
 use glam::DVec3;
 
-/// Most cubes of a zone: what a page still draws without effort.
-const MOST_CUBES: usize = 150_000;
+/// Most cubes of a zone: two dozen megabytes.
+const MOST_CUBES: usize = 2_000_000;
 /// Cubes that a surface meets for each square of their edge that its area holds: one lying flat, two and more askew,
 /// margins included.
 const CUBES_A_SQUARE: f64 = 2.5;
@@ -104,13 +104,10 @@ fn add(cubes: &mut Cubes, corners: [DVec3; 3], turn: &Turn) {
 
 /// Adds what of a facet lies below others, in small pieces.
 fn add_covered(cubes: &mut Cubes, corners: [DVec3; 3], lowering: &Lowering<'_>, turn: &Turn) {
-    for [a, b, c] in pieces(corners, cubes.cell()) {
+    for [a, b, c] in small(corners, cubes.cell()) {
         let p = (a + b + c) / 3.0;
         if lowering.mesh.top(p.x, p.y).is_some_and(|(z, _)| z > p.z + COVERED) {
             add(cubes, [a, b, c], turn);
         }
     }
 }
-
-/// What lies deeper than this below the top, mm, is another layer and not rounding.
-const COVERED: f64 = 1e-4;
