@@ -7,6 +7,7 @@
 
 mod across;
 mod cut;
+mod facet;
 mod fill;
 mod ground;
 mod line;
@@ -14,7 +15,6 @@ mod need;
 mod pass;
 mod reach;
 mod rest;
-mod sliver;
 mod turn;
 
 use crate::contact::{DropMesh, Underside};
@@ -22,13 +22,12 @@ use crate::cutter::Cutter;
 use crate::geometry::{TriMesh, Zone};
 use crate::monitor::{Cancelled, Stage};
 use crate::toolpath::Pass;
-use across::{survey, survey_closely, survey_slivers};
+use across::{survey, survey_closely, survey_pieces};
 use cut::Lines;
 use fill::{Stretch, fill};
 use ground::{Grain, Ground, Limits};
 use line::Lowering;
 use reach::Closing;
-use sliver::slivers;
 use turn::Turn;
 
 /// How to lay the lines.
@@ -130,11 +129,12 @@ pub fn raster(
     let cubes = rest::cubes(seen.beyond.max(hidden), CELL * grain.along);
     let closer = stage.part("Looking closely", 0.6, 0.72);
     let (wanting, mut unreached) = survey_closely(&ground, &lines, &seen.out, &cubes, &turn, &closer)?;
-    let narrow = slivers(&ground, &stage.part("Looking closely", 0.72, 0.73))?;
-    let (more, narrow) = survey_slivers(
+    let pieces =
+        facet::pieces(&ground, &unreached.clone().zone(), &turn, &stage.part("Looking closely", 0.72, 0.73))?;
+    let (more, spots) = survey_pieces(
         &ground,
         &lines,
-        &narrow,
+        &pieces,
         &mut unreached,
         &turn,
         &stage.part("Looking closely", 0.73, 0.75),
@@ -146,7 +146,7 @@ pub fn raster(
     let is_first = |place: u32| place % HALVINGS == HALVINGS / 2;
     let size = (PIECE * cusp, options.bridge);
     let needless = stage.part("Leaving out the needless", 0.8, 0.93);
-    let lines = need::needed(&lines, is_first, &ground, (&seen.out, &narrow), size, &needless)?;
+    let lines = need::needed(&lines, is_first, &ground, (&seen.out, &spots), size, &needless)?;
     let list = lines.iter().map(|(place, drops)| (lines.y(place), drops)).collect::<Vec<_>>();
     let passes = stage.part("Thinning", 0.93, 0.97).map(list.len(), |i| {
         let (y, drops) = list[i];
@@ -219,9 +219,10 @@ const MOST_SPOTS: f64 = 2e7;
 /// Spots' distance on a sharp cutter's cusps, in scallop limits.
 const SHARP: f64 = 0.5;
 /// Edge of the zone's cubes in distances of slices: larger ones would blur its rim, smaller ones cost memory.
-const CELL: f64 = 1.5;
+const CELL: f64 = 1.0;
 /// Length of the parts in which lines are looked at for need, in widths of a level cusp.
 const PIECE: f64 = 0.5;
+
 fn check(options: &RasterOptions) -> Result<(), RasterError> {
     let wrong = |field, message| Err(RasterError::Option { field, message });
     if !options.angle.is_finite() {

@@ -1,10 +1,10 @@
 //! Where lines must be inserted, and what stays out of reach.
 
 use super::cut::Lines;
+use super::facet::Piece;
 use super::ground::{Ground, Patch};
 use super::reach::Spot;
 use super::rest;
-use super::sliver::Sliver;
 use super::turn::Turn;
 use crate::geometry::Cubes;
 use crate::monitor::{Cancelled, Stage};
@@ -131,32 +131,49 @@ pub(super) fn survey_closely(
     Ok((wanting, beyond))
 }
 
-/// Looks at slivers: gives back those that are too high and within reach, and adds the others to `beyond`.
-pub(super) fn survey_slivers(
+/// Looks at pieces of facets, and closer where a look at one spot a piece is not sure. Gives back the spots that are too
+/// high and all that are within reach, and adds to `beyond` what is not.
+pub(super) fn survey_pieces(
     ground: &Ground<'_>,
     lines: &Lines,
-    slivers: &[Sliver],
+    pieces: &[Piece],
     beyond: &mut Cubes,
     turn: &Turn,
     stage: &Stage<'_>,
 ) -> Result<(Vec<Wanting>, Vec<Spot>), Cancelled> {
-    let found = stage.map(slivers.len().div_ceil(CHUNK), |i| {
-        let chunk = &slivers[i * CHUNK..slivers.len().min((i + 1) * CHUNK)];
-        chunk.iter().map(|sliver| ground.look(lines, &sliver.spot)).collect::<Vec<_>>()
+    let look = |piece: &Piece| {
+        if piece.covered {
+            return vec![(*piece, Found::OutOfReach)];
+        }
+        let mut found = vec![(*piece, ground.look(lines, &piece.spot))];
+        let axis = piece.spot.axis(ground.lowering);
+        let sure = ground.is_low(lines, ground.limits.strict, &piece.spot, axis);
+        if !sure && found[0].1 != Found::OutOfReach {
+            let parts = piece.parts(CLOSER * ground.grain.along);
+            found.extend(parts.map(|part| (part, ground.look(lines, &part.spot))));
+        }
+        found
+    };
+    let tasks = stage.map(pieces.len().div_ceil(CHUNK), |i| {
+        let chunk = &pieces[i * CHUNK..pieces.len().min((i + 1) * CHUNK)];
+        chunk.iter().flat_map(look).collect::<Vec<_>>()
     })?;
     let (mut wanting, mut within) = (Vec::new(), Vec::new());
-    for (sliver, found) in slivers.iter().zip(found.concat()) {
+    for (piece, found) in tasks.into_iter().flatten() {
         match found {
-            Found::OutOfReach => rest::add_piece(beyond, sliver.corners, turn),
-            Found::Low => within.push(sliver.spot),
+            Found::OutOfReach => rest::add_piece(beyond, piece.corners, turn),
+            Found::Low => within.push(piece.spot),
             Found::Wanting(axis) => {
-                within.push(sliver.spot);
-                wanting.push(Wanting { spot: sliver.spot, axis, asked: Asked::Nothing });
+                within.push(piece.spot);
+                wanting.push(Wanting { spot: piece.spot, axis, asked: Asked::Nothing });
             }
         }
     }
     Ok((wanting, within))
 }
+
+/// Length of the parts in a closer look at a piece, in distances of slices.
+const CLOSER: f64 = 0.5;
 
 /// What a look at one spot found.
 #[derive(Clone, Copy, PartialEq)]

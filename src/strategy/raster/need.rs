@@ -24,14 +24,14 @@ const NEEDLESS: &str = "Leaving out the needless";
 /// Most pieces counted that cut the same spot: what is more is surely not needed for it.
 const COUNTED: usize = 6;
 
-/// The lines without the parts that are not needed by any patch that is not `out` of reach, nor by `slivers`: partial lines, and what of the `first` lines lies beyond the mesh, go
+/// The lines without the parts that are not needed by any patch that is not `out` of reach, nor by `spots`: partial lines, and what of the `first` lines lies beyond the mesh, go
 /// where every spot stays as low without them. Passes on the same line whose gap can be cut through on a way of at most
 /// `bridge` mm are joined.
 pub(super) fn needed(
     lines: &Lines,
     first: impl Fn(u32) -> bool,
     ground: &Ground<'_>,
-    (out, slivers): (&[Vec<bool>], &[Spot]),
+    (out, spots): (&[Vec<bool>], &[Spot]),
     (piece, bridge): (f64, f64),
     stage: &Stage<'_>,
 ) -> Result<Lines, Cancelled> {
@@ -53,7 +53,7 @@ pub(super) fn needed(
     }
     let order = |p: &Piece| (p.stretch, p.place, usize::MAX - p.outward);
     pieces.sort_by(|a, b| order(a).cmp(&order(b)).then(a.drops[0].x.total_cmp(&b.drops[0].x)));
-    let coverage = coverage(lines, &fixed, &pieces, ground, (out, slivers), &stage.part(NEEDLESS, 0.0, 0.8))?;
+    let coverage = coverage(lines, &fixed, &pieces, ground, (out, spots), &stage.part(NEEDLESS, 0.0, 0.8))?;
     let kept = keep(pieces.len(), &coverage);
     let mut runs: BTreeMap<u32, Vec<Vec<Drop>>> = BTreeMap::new();
     for (place, drops) in fixed.iter() {
@@ -133,7 +133,7 @@ fn coverage(
     fixed: &Lines,
     pieces: &[Piece],
     ground: &Ground<'_>,
-    (out, slivers): (&[Vec<bool>], &[Spot]),
+    (out, spots): (&[Vec<bool>], &[Spot]),
     stage: &Stage<'_>,
 ) -> Result<Vec<Vec<u32>>, Cancelled> {
     let mut places: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
@@ -183,7 +183,7 @@ fn coverage(
         list
     })?;
     let mut all = slices.concat();
-    for spot in slivers {
+    for spot in spots {
         let axis = spot.axis(ground.lowering);
         if !ground.is_low(fixed, limits.lines, spot, axis) {
             all.push(cutting(spot, limits.lines, axis));
