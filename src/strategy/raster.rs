@@ -222,6 +222,7 @@ const SHARP: f64 = 0.5;
 const CELL: f64 = 1.5;
 /// Length of the parts in which lines are looked at for need, in widths of a level cusp.
 const PIECE: f64 = 0.5;
+
 fn check(options: &RasterOptions) -> Result<(), RasterError> {
     let wrong = |field, message| Err(RasterError::Option { field, message });
     if !options.angle.is_finite() {
