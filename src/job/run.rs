@@ -13,7 +13,7 @@ use crate::monitor::Stage;
 use crate::post::{self, Program};
 use crate::strategy::{self, LOOK, Linked, Planned, RasterError, RasterOptions, Refuge};
 use crate::toolpath::ClPoint;
-use crate::verify::{self, Options, Samples, Verification, VerifyError};
+use crate::verify::{self, Options, Samples, Verification};
 use glam::DVec3;
 
 /// A planned path and the program that states it, not yet proven.
@@ -130,12 +130,7 @@ impl Plan {
     }
 
     fn cut(&self, samples: &Samples, options: &Options, stage: &Stage) -> Result<Verification, JobError> {
-        verify::verify(&self.emitted.cutter, &self.emitted.toolpath, samples, options, stage).map_err(|e| {
-            match e {
-                VerifyError::Cancelled(cancelled) => JobError::Cancelled(cancelled),
-                other => JobError::Post(format!("the program cannot be proven: {other}")),
-            }
-        })
+        Ok(verify::verify(&self.emitted.cutter, &self.emitted.toolpath, samples, options, stage)?)
     }
 
     /// The plan in numbers, with those of `proof` if there is one.
