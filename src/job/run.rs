@@ -22,8 +22,6 @@ pub struct Plan {
     spec: Spec,
     shape: Shape,
     planned: Planned,
-    /// What an upright cutter does not see; empty for a posture that follows the surface.
-    unseen: Zone,
     warnings: Vec<String>,
     /// The program as APT cutter-location text.
     pub apt: String,
@@ -54,11 +52,8 @@ pub fn plan(spec: &Spec, bytes: Option<&[u8]>, stage: &Stage) -> Result<Plan, Jo
     let cutter = spec.cutter.cutter()?;
     let (shape, mut warnings) = spec.source.shape(bytes)?;
     let planning = stage.part("Planning", 0.02, 0.95);
-    let (planned, linked, unseen) = match &shape {
-        Shape::Face(face) => {
-            let (planned, linked) = on_face(spec, face, &cutter, &planning)?;
-            (planned, linked, Zone::empty())
-        }
+    let (planned, linked) = match &shape {
+        Shape::Face(face) => on_face(spec, face, &cutter, &planning)?,
         Shape::Mesh(mesh) => on_mesh(spec, mesh, &cutter, &planning)?,
     };
     let program = Program {
@@ -79,10 +74,10 @@ pub fn plan(spec: &Spec, bytes: Option<&[u8]>, stage: &Stage) -> Result<Plan, Jo
             planned.unreached.area()
         ));
     }
-    if unseen.area() > 0.0 {
+    if planned.unseen.area() > 0.0 {
         warnings.push(format!(
             "{:.2} mm² are not seen from above (walls, undersides, what lies below other facets) and left as they are",
-            unseen.area()
+            planned.unseen.area()
         ));
     }
     stage.at(1.0)?;
@@ -90,7 +85,6 @@ pub fn plan(spec: &Spec, bytes: Option<&[u8]>, stage: &Stage) -> Result<Plan, Jo
         spec: spec.clone(),
         shape,
         planned,
-        unseen,
         warnings,
         nc: post::gcode::write(&program).ok(),
         csv: post::csv::write(&emitted.toolpath),
@@ -112,7 +106,7 @@ impl Plan {
         if !verify.enabled {
             return Ok(None);
         }
-        let unreached = self.planned.unreached.joined(&self.unseen);
+        let unreached = self.planned.unreached.joined(&self.planned.unseen);
         let picture = self.shape.picture_samples()?;
         let samples = self.shape.samples(verify.spacing_mm)?;
         let scallop = self.spec.tolerance.scallop_mm;
@@ -149,7 +143,7 @@ impl Plan {
             unreachable: Unreachable {
                 area_mm2: planned.unreached.area(),
                 cell_mm: planned.unreached.cell(),
-                unseen_mm2: self.unseen.area(),
+                unseen_mm2: planned.unseen.area(),
             },
             verified: proof.map(|p| p.verified.clone()),
             warnings: self.warnings.clone(),
@@ -198,7 +192,7 @@ fn on_mesh(
     mesh: &TriMesh,
     cutter: &Cutter,
     stage: &Stage,
-) -> Result<(Planned, Linked, Zone), JobError> {
+) -> Result<(Planned, Linked), JobError> {
     let StrategySpec::Raster { angle_deg, order } = spec.strategy else {
         let message = "must be raster: this shape is a mesh, which has no parameters".into();
         return Err(JobError::field("strategy.kind", message));
@@ -236,7 +230,7 @@ fn on_mesh(
     let is_clear = |cl: &ClPoint| !is_in_mesh(&lowered, &under, cl.tip - DVec3::Z * LOOK);
     let refuge = Refuge::Above(top + how.clearance);
     let linked = strategy::link(&passes, &how, &refuge, &is_clear, &stage.part("Joining passes", 0.95, 1.0))?;
-    Ok((Planned { passes, unreached: raster.unreached }, linked, raster.unseen))
+    Ok((Planned { passes, unreached: raster.unreached, unseen: raster.unseen }, linked))
 }
 
 /// The shape of `spec` to draw before anything is planned.
