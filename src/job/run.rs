@@ -22,6 +22,8 @@ pub struct Plan {
     spec: Spec,
     shape: Shape,
     planned: Planned,
+    /// Of the shape, mm².
+    area: f64,
     warnings: Vec<String>,
     /// The program as APT cutter-location text.
     pub apt: String,
@@ -80,9 +82,11 @@ pub fn plan(spec: &Spec, bytes: Option<&[u8]>, stage: &Stage) -> Result<Plan, Jo
             planned.unseen.area()
         ));
     }
+    let area = shape.preview_samples()?.area();
     stage.at(1.0)?;
     Ok(Plan {
         spec: spec.clone(),
+        area,
         shape,
         planned,
         warnings,
@@ -128,9 +132,9 @@ impl Plan {
     }
 
     /// The plan in numbers, with those of `proof` if there is one.
-    pub fn report(&self, proof: Option<&Proof>) -> Result<Report, JobError> {
+    pub fn report(&self, proof: Option<&Proof>) -> Report {
         let Self { spec, planned, emitted, .. } = self;
-        Ok(Report {
+        Report {
             version: VERSION,
             name: spec.name.clone(),
             strategy: spec.strategy.kind().into(),
@@ -139,7 +143,7 @@ impl Plan {
             passes: planned.passes.len(),
             points: emitted.toolpath.moves.len(),
             time_min: minutes(emitted, spec.feeds.rapid_mm_per_min),
-            area_mm2: self.shape.preview_samples()?.area(),
+            area_mm2: self.area,
             unreachable: Unreachable {
                 area_mm2: planned.unreached.area(),
                 cell_mm: planned.unreached.cell(),
@@ -147,7 +151,7 @@ impl Plan {
             },
             verified: proof.map(|p| p.verified.clone()),
             warnings: self.warnings.clone(),
-        })
+        }
     }
 }
 
