@@ -3,9 +3,8 @@
 use super::ground::{Grain, WALL};
 use super::line::Lowering;
 use super::reach::Spot;
-use super::sliver::pieces;
 use super::turn::Turn;
-use crate::geometry::{Cubes, TriMesh, Zone};
+use crate::geometry::{Cubes, TriMesh, Zone, pieces};
 use crate::monitor::{Cancelled, Stage};
 use glam::DVec3;
 
