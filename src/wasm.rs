@@ -157,8 +157,8 @@ impl Outcome {
     }
 
     /// The report as JSON.
-    pub fn report(&self) -> Result<String, JsValue> {
-        self.plan.report(self.proof.as_ref()).map(|report| report.to_json()).map_err(thrown)
+    pub fn report(&self) -> String {
+        self.plan.report(self.proof.as_ref()).to_json()
     }
 
     /// Eight numbers a move: tip x, y, z (mm), axis i, j, k, kind (0 cut, 1 link at feed, 2 rapid), length so far (mm).

@@ -18,7 +18,8 @@
  *
  * @typedef {{ version: number, name: string, strategy: string,
  *   length: { cut_mm: number, link_mm: number, rapid_mm: number }, passes: number, points: number,
- *   time_min: number, area_mm2: number, unreachable: { area_mm2: number, cell_mm: number },
+ *   time_min: number, area_mm2: number,
+ *   unreachable: { area_mm2: number, cell_mm: number, unseen_mm2: number },
  *   verified: Verified | null, scallop_mm: number, warnings: string[] }} Report
  * @typedef {{ largest_excess_mm: number | null, largest_excess_at: number[] | null,
  *   largest_gouge_mm: number | null, largest_gouge_at: number[] | null, sampling_error_mm: number | null,

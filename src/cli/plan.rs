@@ -51,10 +51,10 @@ impl Plan {
         let (spec, bytes) = load(&self.spec)?;
         let terminal = Terminal::new();
         let stage = Stage::whole(&terminal, self.workers.unwrap_or_else(workers));
-        let plan = job::plan(&spec, bytes.as_deref(), &stage.part("", 0.0, 0.5))?;
-        let proof = plan.prove(&stage.part("", 0.5, 1.0))?;
+        let plan = job::plan(&spec, bytes.as_deref(), &stage.part("Planning", 0.0, 0.5))?;
+        let proof = plan.prove(&stage.part("Proving", 0.5, 1.0))?;
         terminal.clear();
-        let report = plan.report(proof.as_ref())?;
+        let report = plan.report(proof.as_ref());
         let write = |name: &str, text: &str| {
             let path = self.out.join(name);
             std::fs::write(&path, text).map_err(|e| Failure::Job(format!("{}: {e}", path.display())))
@@ -105,7 +105,12 @@ impl Verify {
         let (spec, bytes) = load(&self.spec)?;
         let terminal = Terminal::new();
         let stage = Stage::whole(&terminal, self.workers.unwrap_or_else(workers));
-        let found = job::verify_text(&read_text(&self.apt)?, &spec, bytes.as_deref(), &stage)?;
+        let found = job::verify_text(
+            &read_text(&self.apt)?,
+            &spec,
+            bytes.as_deref(),
+            &stage.part("Proving", 0.0, 1.0),
+        )?;
         terminal.clear();
         print(&found.to_json())
     }

@@ -70,27 +70,15 @@ impl FaceObstacle {
         let body = Body::new(cutter, cl);
         let margin = self.margin(cutter);
         let mut deepest = 0.0f64;
-        let mut open: Vec<&Block> = self.blocks.iter().collect();
-        while let Some(block) = open.pop() {
-            if body.distance(block.center) - block.radius > margin {
+        for (i, j, here) in self.nearer(&body, margin) {
+            if self.grid.point(i, j).distance_squared(contact) < 2.25 * self.cell * self.cell {
                 continue;
             }
-            if !block.children.is_empty() {
-                open.extend(&block.children);
-                continue;
+            if here < enough {
+                return here;
             }
-            for j in block.j.0..block.j.1 {
-                for i in block.i.0..block.i.1 {
-                    let point = self.grid.point(i, j);
-                    let here = body.distance(point);
-                    let near = point.distance_squared(contact) < 2.25 * self.cell * self.cell;
-                    if here < enough && !near {
-                        return here;
-                    }
-                    if here < margin && !near && self.is_lowest(&body, i, j, here) {
-                        deepest = deepest.min(self.descend_from(&body, i, j, here, contact));
-                    }
-                }
+            if self.is_lowest(&body, i, j, here) {
+                deepest = deepest.min(self.descend_from(&body, i, j, here, contact));
             }
         }
         deepest
@@ -100,22 +88,32 @@ impl FaceObstacle {
     /// the face may bulge between samples, hundredths of a millimetre.
     pub fn clears(&self, cutter: &Cutter, cl: &ClPoint) -> bool {
         let body = Body::new(cutter, cl);
-        let margin = self.margin(cutter);
+        self.nearer(&body, self.margin(cutter)).next().is_none()
+    }
+
+    /// The nodes nearer to the cutter than `margin`, and how near; looked for as they are asked for.
+    fn nearer<'a>(&'a self, body: &'a Body, margin: f64) -> impl Iterator<Item = (usize, usize, f64)> + 'a {
         let mut open: Vec<&Block> = self.blocks.iter().collect();
-        while let Some(block) = open.pop() {
-            if body.distance(block.center) - block.radius > margin {
-                continue;
-            }
-            if block.children.is_empty() {
-                let mut nodes =
-                    (block.j.0..block.j.1).flat_map(|j| (block.i.0..block.i.1).map(move |i| (i, j)));
-                if nodes.any(|(i, j)| body.distance(self.grid.point(i, j)) < margin) {
-                    return false;
+        let blocks = std::iter::from_fn(move || {
+            while let Some(block) = open.pop() {
+                if body.distance(block.center) - block.radius > margin {
+                    continue;
                 }
+                if block.children.is_empty() {
+                    return Some(block);
+                }
+                open.extend(&block.children);
             }
-            open.extend(&block.children);
-        }
-        true
+            None
+        });
+        let nodes = |block: &Block| {
+            let (is, js) = (block.i.0..block.i.1, block.j.0..block.j.1);
+            js.flat_map(move |j| is.clone().map(move |i| (i, j)))
+        };
+        blocks
+            .flat_map(nodes)
+            .map(|(i, j)| (i, j, body.distance(self.grid.point(i, j))))
+            .filter(move |(_, _, here)| *here < margin)
     }
 
     /// How much nearer than at any sample the face may come to the cutter between samples, mm: the sag of a cell against

@@ -1,6 +1,6 @@
 //! From polygons in space to the cubes that they pass through.
 
-use super::zone::{Zone, key};
+use super::zone::{Zone, key, settle};
 use glam::DVec3;
 
 /// Collects the cubes of a [`Zone`]. Never many more than asked for: when there are too many, cubes double their edge.
@@ -77,16 +77,11 @@ impl Cubes {
         if self.zone.cells.len() <= self.most.saturating_mul(waiting) {
             return;
         }
-        self.sort();
+        settle(&mut self.zone.cells);
         while self.zone.cells.len() > self.most && self.zone.cell.is_finite() {
             self.double();
-            self.sort();
+            settle(&mut self.zone.cells);
         }
-    }
-
-    fn sort(&mut self) {
-        self.zone.cells.sort_unstable();
-        self.zone.cells.dedup();
     }
 
     fn double(&mut self) {

@@ -35,3 +35,24 @@ impl TriMesh {
         Some(self.vertices.iter().fold((first, first), |(lo, hi), &p| (lo.min(p), hi.max(p))))
     }
 }
+
+/// The triangle with these corners, halved along its longest side until no side is longer than `longest` (mm, above 0).
+pub fn pieces(corners: [DVec3; 3], longest: f64) -> Vec<[DVec3; 3]> {
+    let (mut open, mut small) = (vec![corners], Vec::new());
+    while let Some([a, b, c]) = open.pop() {
+        let sides = [a.distance(b), b.distance(c), c.distance(a)];
+        let side = sides[0].max(sides[1]).max(sides[2]);
+        if side <= longest {
+            small.push([a, b, c]);
+            continue;
+        }
+        let [a, b, c] = match sides.iter().position(|s| *s == side) {
+            Some(1) => [b, c, a],
+            Some(2) => [c, a, b],
+            _ => [a, b, c],
+        };
+        let middle = 0.5 * (a + b);
+        open.extend([[a, middle, c], [middle, b, c]]);
+    }
+    small
+}

@@ -26,7 +26,7 @@ pub use grid::FaceGrid;
 pub use height_grid::{HeightGrid, HeightGridError};
 pub use iso_line::{FieldGrid, IsoLine};
 pub use jet::Jet;
-pub use mesh::TriMesh;
+pub use mesh::{TriMesh, pieces};
 pub use nurbs::{Along, MAX_DEGREE, MAX_POINTS, NurbsError, NurbsSurface};
 use nurbs::{Basis, span};
 pub use surface::{Domain, Range, Surface, Uv};

@@ -1,6 +1,7 @@
 //! A part of a surface, kept as the cubes of space that it passes through.
 
 use super::cubes::{Cubes, each_cube};
+use crate::math::order::sort_by_key;
 use glam::DVec3;
 
 /// A part of a surface, kept as the cubes of edge [`Zone::cell`] that it passes through, and its area.
@@ -26,8 +27,7 @@ impl Zone {
             cells.push(key(point / cell));
             area += weight;
         }
-        cells.sort_unstable();
-        cells.dedup();
+        settle(&mut cells);
         Self { origin: DVec3::ZERO, cell, cells, area }
     }
 
@@ -40,8 +40,7 @@ impl Zone {
             .iter()
             .flat_map(|c| around().map(move |d| [c[0] + d[0], c[1] + d[1], c[2] + d[2]]))
             .collect();
-        cells.sort_unstable();
-        cells.dedup();
+        settle(&mut cells);
         Self { cells, ..*self }
     }
 
@@ -114,6 +113,16 @@ impl Zone {
 
 /// Part of a cube that rounding may make of none.
 const NUDGE: f64 = 1e-6;
+
+/// Sorts cubes and leaves each once.
+pub(super) fn settle(cells: &mut Vec<[i32; 3]>) {
+    // With the sign's bit turned round, patterns are in the order of the numbers.
+    sort_by_key(cells, |c| {
+        let [x, y, z] = c.map(|c| c.cast_unsigned() ^ 1 << 31);
+        (u64::from(x) << 32 | u64::from(y), z)
+    });
+    cells.dedup();
+}
 
 /// The cube of a point given in cubes.
 pub(super) fn key(point: DVec3) -> [i32; 3] {

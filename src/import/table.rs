@@ -9,6 +9,7 @@
 use super::stl::clipped;
 use super::{Format, ImportError, Item, Part, Place, Shape, Warning, text};
 use crate::geometry::{HeightGrid, MAX_POINTS};
+use crate::math::order::sort_numbers;
 use glam::{DVec2, DVec3};
 use std::sync::Arc;
 
@@ -219,7 +220,7 @@ fn scattered(header: Option<&Row>, body: &[Row]) -> Result<HeightGrid, ImportErr
 
 /// The evenly spaced levels among `values`, and how many there are.
 fn levels(name: &str, mut values: Vec<f64>) -> Result<(Axis, usize), ImportError> {
-    values.sort_unstable_by(f64::total_cmp);
+    sort_numbers(&mut values);
     let range = values.last().zip(values.first()).map_or(0.0, |(hi, lo)| hi - lo);
     // Equal levels may differ by rounding; the finest grid read has far fewer than 1e7 levels.
     values.dedup_by(|next, level| *next - *level <= 1e-7 * range);

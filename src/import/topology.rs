@@ -1,6 +1,7 @@
 //! How the triangles of a mesh hang together.
 
 use crate::geometry::TriMesh;
+use crate::math::order::sort_by_key;
 
 /// Counts of a mesh's edges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -21,7 +22,7 @@ fn edges(mesh: &TriMesh) -> Vec<Edge> {
     for (t, &[a, b, c]) in mesh.triangles.iter().enumerate() {
         edges.extend([(a, b), (b, c), (c, a)].map(|(p, q)| (p.min(q), p.max(q), t as u32, p < q)));
     }
-    edges.sort_unstable();
+    sort_by_key(&mut edges, |&(a, b, ..)| (u64::from(a) << 32 | u64::from(b), 0));
     edges
 }
 
@@ -57,7 +58,7 @@ pub(super) fn orient(mesh: &mut TriMesh) -> usize {
             pairs.push((b.2, a.2, a.3 == b.3));
         }
     }
-    pairs.sort_unstable();
+    sort_by_key(&mut pairs, |&(t, other, _)| (u64::from(t), other));
     let neighbours = |t: u32| {
         let start = pairs.partition_point(|pair| pair.0 < t);
         pairs[start..].iter().take_while(move |pair| pair.0 == t)

@@ -51,8 +51,8 @@ impl Unit {
 
     /// The unit with this name or abbreviation, in any case: `mm`, `inch`, `FT`.
     pub fn named(name: &str) -> Option<Self> {
-        // Micro has a sign of its own and may also be written with the Greek letter.
-        let name = name.trim().to_lowercase().replace('μ', "µ");
+        // Micro has a sign of its own and may also be written with the Greek letter, small or capital.
+        let name = name.trim().to_ascii_lowercase().replace(['μ', 'Μ'], "µ");
         UNITS.iter().find(|(_, _, names)| names.contains(&name.as_str())).map(|(unit, ..)| *unit)
     }
 }

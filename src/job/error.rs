@@ -2,6 +2,7 @@
 
 use crate::monitor::Cancelled;
 use crate::strategy::StrategyError;
+use crate::verify::VerifyError;
 
 /// Why a job ends without a result.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -63,6 +64,15 @@ impl From<StrategyError> for JobError {
         match error {
             StrategyError::Cancelled(cancelled) => Self::Cancelled(cancelled),
             other => Self::Strategy(other.to_string()),
+        }
+    }
+}
+
+impl From<VerifyError> for JobError {
+    fn from(error: VerifyError) -> Self {
+        match error {
+            VerifyError::Cancelled(cancelled) => Self::Cancelled(cancelled),
+            other => Self::Post(format!("the program cannot be proven: {other}")),
         }
     }
 }

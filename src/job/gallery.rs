@@ -4,7 +4,7 @@
 
 use super::schema;
 use super::spec::{Spec, VERSION};
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 /// A job to begin with.
 #[derive(Debug, Clone)]
@@ -53,12 +53,16 @@ fn examples() -> [(&'static str, &'static str, String, &'static str); 3] {
 
 /// The specification with every setting spelled out; nothing if the texts above are wrong, which a test rules out.
 fn complete(name: &str, source: &str, settings: &str) -> Option<Value> {
-    let mut spec: Map<String, Value> = serde_json::from_str(settings).ok()?;
+    let Value::Object(mut spec) = read(settings)? else { return None };
     spec.insert("version".into(), VERSION.into());
     spec.insert("name".into(), name.into());
-    spec.insert("source".into(), serde_json::from_str(source).ok()?);
+    spec.insert("source".into(), read(source)?);
     schema::complete(&mut spec).ok()?;
     Some(Value::Object(spec))
+}
+
+fn read(text: &str) -> Option<Value> {
+    serde_json::from_slice(text.as_bytes()).ok()
 }
 
 fn complete_all() -> impl Iterator<Item = (&'static str, Value)> {

@@ -13,7 +13,7 @@ use crate::monitor::Stage;
 use crate::post::{self, Program};
 use crate::strategy::{self, LOOK, Linked, Planned, RasterError, RasterOptions, Refuge};
 use crate::toolpath::ClPoint;
-use crate::verify::{self, Options, Samples, Verification, VerifyError};
+use crate::verify::{self, Options, Samples, Verification};
 use glam::DVec3;
 
 /// A planned path and the program that states it, not yet proven.
@@ -22,8 +22,8 @@ pub struct Plan {
     spec: Spec,
     shape: Shape,
     planned: Planned,
-    /// What an upright cutter does not see; empty for a posture that follows the surface.
-    unseen: Zone,
+    /// Of the shape, mm².
+    area: f64,
     warnings: Vec<String>,
     /// The program as APT cutter-location text.
     pub apt: String,
@@ -54,11 +54,8 @@ pub fn plan(spec: &Spec, bytes: Option<&[u8]>, stage: &Stage) -> Result<Plan, Jo
     let cutter = spec.cutter.cutter()?;
     let (shape, mut warnings) = spec.source.shape(bytes)?;
     let planning = stage.part("Planning", 0.02, 0.95);
-    let (planned, linked, unseen) = match &shape {
-        Shape::Face(face) => {
-            let (planned, linked) = on_face(spec, face, &cutter, &planning)?;
-            (planned, linked, Zone::empty())
-        }
+    let (planned, linked) = match &shape {
+        Shape::Face(face) => on_face(spec, face, &cutter, &planning)?,
         Shape::Mesh(mesh) => on_mesh(spec, mesh, &cutter, &planning)?,
     };
     let program = Program {
@@ -79,18 +76,19 @@ pub fn plan(spec: &Spec, bytes: Option<&[u8]>, stage: &Stage) -> Result<Plan, Jo
             planned.unreached.area()
         ));
     }
-    if unseen.area() > 0.0 {
+    if planned.unseen.area() > 0.0 {
         warnings.push(format!(
             "{:.2} mm² are not seen from above (walls, undersides, what lies below other facets) and left as they are",
-            unseen.area()
+            planned.unseen.area()
         ));
     }
+    let area = shape.preview_samples()?.area();
     stage.at(1.0)?;
     Ok(Plan {
         spec: spec.clone(),
+        area,
         shape,
         planned,
-        unseen,
         warnings,
         nc: post::gcode::write(&program).ok(),
         csv: post::csv::write(&emitted.toolpath),
@@ -112,7 +110,7 @@ impl Plan {
         if !verify.enabled {
             return Ok(None);
         }
-        let unreached = self.planned.unreached.joined(&self.unseen);
+        let unreached = self.planned.unreached.joined(&self.planned.unseen);
         let picture = self.shape.picture_samples()?;
         let samples = self.shape.samples(verify.spacing_mm)?;
         let scallop = self.spec.tolerance.scallop_mm;
@@ -130,18 +128,13 @@ impl Plan {
     }
 
     fn cut(&self, samples: &Samples, options: &Options, stage: &Stage) -> Result<Verification, JobError> {
-        verify::verify(&self.emitted.cutter, &self.emitted.toolpath, samples, options, stage).map_err(|e| {
-            match e {
-                VerifyError::Cancelled(cancelled) => JobError::Cancelled(cancelled),
-                other => JobError::Post(format!("the program cannot be proven: {other}")),
-            }
-        })
+        Ok(verify::verify(&self.emitted.cutter, &self.emitted.toolpath, samples, options, stage)?)
     }
 
     /// The plan in numbers, with those of `proof` if there is one.
-    pub fn report(&self, proof: Option<&Proof>) -> Result<Report, JobError> {
+    pub fn report(&self, proof: Option<&Proof>) -> Report {
         let Self { spec, planned, emitted, .. } = self;
-        Ok(Report {
+        Report {
             version: VERSION,
             name: spec.name.clone(),
             strategy: spec.strategy.kind().into(),
@@ -150,15 +143,15 @@ impl Plan {
             passes: planned.passes.len(),
             points: emitted.toolpath.moves.len(),
             time_min: minutes(emitted, spec.feeds.rapid_mm_per_min),
-            area_mm2: self.shape.preview_samples()?.area(),
+            area_mm2: self.area,
             unreachable: Unreachable {
                 area_mm2: planned.unreached.area(),
                 cell_mm: planned.unreached.cell(),
-                unseen_mm2: self.unseen.area(),
+                unseen_mm2: planned.unseen.area(),
             },
             verified: proof.map(|p| p.verified.clone()),
             warnings: self.warnings.clone(),
-        })
+        }
     }
 }
 
@@ -203,7 +196,7 @@ fn on_mesh(
     mesh: &TriMesh,
     cutter: &Cutter,
     stage: &Stage,
-) -> Result<(Planned, Linked, Zone), JobError> {
+) -> Result<(Planned, Linked), JobError> {
     let StrategySpec::Raster { angle_deg, order } = spec.strategy else {
         let message = "must be raster: this shape is a mesh, which has no parameters".into();
         return Err(JobError::field("strategy.kind", message));
@@ -241,7 +234,7 @@ fn on_mesh(
     let is_clear = |cl: &ClPoint| !is_in_mesh(&lowered, &under, cl.tip - DVec3::Z * LOOK);
     let refuge = Refuge::Above(top + how.clearance);
     let linked = strategy::link(&passes, &how, &refuge, &is_clear, &stage.part("Joining passes", 0.95, 1.0))?;
-    Ok((Planned { passes, unreached: raster.unreached }, linked, raster.unseen))
+    Ok((Planned { passes, unreached: raster.unreached, unseen: raster.unseen }, linked))
 }
 
 /// The shape of `spec` to draw before anything is planned.

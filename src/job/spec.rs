@@ -237,7 +237,8 @@ impl Spec {
     /// Errors name line and column for broken JSON, and otherwise the setting: one that is unknown, missing, of the
     /// wrong type, or out of its range.
     pub fn from_json(text: &str) -> Result<Self, JobError> {
-        let value: Value = serde_json::from_str(text).map_err(|e| JobError::Syntax(e.to_string()))?;
+        let value: Value =
+            serde_json::from_slice(text.as_bytes()).map_err(|e| JobError::Syntax(e.to_string()))?;
         let Value::Object(mut object) = value else {
             return Err(JobError::Syntax("must be a JSON object".into()));
         };

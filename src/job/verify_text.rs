@@ -5,7 +5,7 @@ use super::report::Verified;
 use super::spec::Spec;
 use crate::monitor::Stage;
 use crate::post;
-use crate::verify::{self, Options, VerifyError};
+use crate::verify::{self, Options};
 
 /// What the program `apt` (APT cutter-location text, with its own cutter) leaves of the shape of `spec`; of the rest of
 /// the specification only the scallop height and the sampling count. Nothing is left out as unreachable.
@@ -19,10 +19,6 @@ pub fn verify_text(
     let (shape, _) = spec.source.shape(bytes)?;
     let samples = shape.samples(spec.verify.spacing_mm)?;
     let options = Options::for_height(spec.tolerance.scallop_mm, &program.cutter);
-    let cut = verify::verify(&program.cutter, &program.toolpath, &samples, &options, stage);
-    let cut = cut.map_err(|e| match e {
-        VerifyError::Cancelled(cancelled) => JobError::Cancelled(cancelled),
-        other => JobError::Post(format!("the program cannot be proven: {other}")),
-    })?;
+    let cut = verify::verify(&program.cutter, &program.toolpath, &samples, &options, stage)?;
     Ok(Verified::from(&cut.statistics))
 }

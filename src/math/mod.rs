@@ -2,4 +2,5 @@
 
 pub mod bvh;
 pub mod frame;
+pub mod order;
 pub mod root;

@@ -7,7 +7,7 @@ use super::{Finish, Order, Planned, StrategyError};
 use super::{unreached, walk};
 use crate::contact::FaceObstacle;
 use crate::cutter::Cutter;
-use crate::geometry::{Domain, Face, FaceGrid, Field, FieldGrid, IsoLine, Range};
+use crate::geometry::{Domain, Face, FaceGrid, Field, FieldGrid, IsoLine, Range, Zone};
 use crate::monitor::{Cancelled, Stage};
 use crate::toolpath::{Pass, Posture};
 
@@ -71,7 +71,7 @@ impl<'a> Family<'a> {
         }
         let unreached =
             unreached::zone(&self.setup, &tracks, &stage.part("Mapping what is unreachable", 0.95, 1.0))?;
-        Ok(Planned { passes, unreached })
+        Ok(Planned { passes, unreached, unseen: Zone::empty() })
     }
 
     pub(super) fn front(&self, candidate: &Candidate, toward: Toward) -> Front {

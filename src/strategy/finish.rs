@@ -30,6 +30,8 @@ pub struct Planned {
     pub passes: Vec<Pass>,
     /// Where the cutter cannot go in the posture asked for.
     pub unreached: Zone,
+    /// What an upright cutter does not see; empty for a posture that follows the surface.
+    pub unseen: Zone,
 }
 
 /// Why there is no path.

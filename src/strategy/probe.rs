@@ -113,7 +113,7 @@ impl Setup<'_> {
         match edge {
             // A strip that lies far aslant leaves over the ends of its line: there it still ends at a level. Where it leans
             // less, what it leaves there is cut as the pass runs out.
-            Edge::Border(uv) if self.ends_levels(uv) || self.lean(contact, uv) < RUN_OUT_LEAN => {
+            Edge::Border(uv) if self.ends_levels(uv) || self.leans_little(contact, uv) => {
                 let point = self.face.surface.point(contact);
                 Some(Reach::Border { column: self.column.value(contact, point), point })
             }
@@ -126,10 +126,14 @@ impl Setup<'_> {
         }
     }
 
-    /// How far `edge` lies ahead of the contact or behind it, as a share of how far beside it.
-    fn lean(&self, contact: Uv, edge: Uv) -> f64 {
-        let Some((jet, frame)) = self.frame(contact, false) else { return f64::INFINITY };
-        let away = self.face.surface.point(edge) - jet.p;
+    fn leans_little(&self, contact: Uv, edge: Uv) -> bool {
+        self.frame(contact, false).is_some_and(|(jet, frame)| self.lean(&frame, jet.p, edge) < RUN_OUT_LEAN)
+    }
+
+    /// How far `edge` lies ahead of the `contact` with this frame or behind it, as a share of how far beside it; not a
+    /// number where it lies right there.
+    pub(super) fn lean(&self, frame: &Frame, contact: DVec3, edge: Uv) -> f64 {
+        let away = self.face.surface.point(edge) - contact;
         (away.dot(frame.f) / away.dot(frame.b)).abs()
     }
 

@@ -1,6 +1,7 @@
 //! How far apart two neighbouring passes may lie.
 
 use super::probe::{Probe, Reach};
+use crate::math::order::sort_numbers;
 use glam::DVec3;
 
 /// The edges of a pass's strips towards one side, as stretches between neighbouring probes.
@@ -130,7 +131,7 @@ impl Front {
             .filter(|c| c.level.is_finite())
             .filter_map(|c| upper.level_abreast(c).map(|level| level - c.level));
         let mut sorted: Vec<f64> = from_above.chain(from_below).collect();
-        sorted.sort_unstable_by(f64::total_cmp);
+        sort_numbers(&mut sorted);
         Gaps { sorted }
     }
 

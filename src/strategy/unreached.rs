@@ -17,17 +17,19 @@ const MOST: usize = 400;
 /// is no part of the zone.
 pub(super) fn zone(setup: &Setup, tracks: &[Candidate], stage: &Stage) -> Result<Zone, Cancelled> {
     let map = Map { setup, grid: FaceGrid::new(setup.face, 0.5 * setup.strip, 24, MOST) };
-    let seeds: BTreeSet<_> = tracks
+    let blocked = tracks
         .iter()
         .flat_map(|track| track.lines.iter().zip(&track.probes))
         .flat_map(|(line, probes)| line.nodes.iter().zip(probes))
         .filter(|(_, probe)| **probe == Probe::Blocked)
-        .map(|(&uv, _)| map.grid.cell_at(uv))
-        .collect();
+        .map(|(&uv, _)| map.grid.cell_at(uv));
+    // Extended and not collected: that would bring a sort of its own into the page's module.
+    let mut seeds = BTreeSet::new();
+    seeds.extend(blocked);
     if seeds.is_empty() {
         return Ok(Zone::empty());
     }
-    let cells: Vec<_> = map.flood(seeds, &stage.part("Mapping what is unreachable", 0.0, 0.5))?;
+    let cells = map.flood(seeds, &stage.part("Mapping what is unreachable", 0.0, 0.5))?;
     let found = stage
         .part("Mapping what is unreachable", 0.5, 1.0)
         .map(cells.len(), |k| map.blocked_within(cells[k]).collect::<Vec<_>>())?;
@@ -51,7 +53,8 @@ impl Map<'_> {
     /// The `seeds` and all cells with a blocked node that hang together with them, in order.
     fn flood(&self, seeds: BTreeSet<Place>, stage: &Stage) -> Result<Vec<Place>, Cancelled> {
         let (nu, nv) = self.grid.size();
-        let mut seen: BTreeSet<Place> = seeds.iter().flat_map(|&cell| corners(cell)).collect();
+        let mut seen = BTreeSet::new();
+        seen.extend(seeds.iter().flat_map(|&cell| corners(cell)));
         let mut cells = seeds;
         let mut rim: Vec<Place> = seen.iter().copied().collect();
         while !rim.is_empty() {

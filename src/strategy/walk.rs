@@ -197,12 +197,8 @@ impl Walker<'_> {
     /// are beside it, the larger of the two.
     fn strip_lean(&self, uv: Uv, end: &Station) -> f64 {
         let Some(strip) = self.setup.strip(uv, self.reversed) else { return 0.0 };
-        let frame = end.cc.frame;
         let lean = |edge: Edge| match edge {
-            Edge::Reached(foot) | Edge::Border(foot) => {
-                let away = self.setup.face.surface.point(foot) - end.cc.point;
-                (away.dot(frame.f) / away.dot(frame.b)).abs()
-            }
+            Edge::Reached(foot) | Edge::Border(foot) => self.setup.lean(&end.cc.frame, end.cc.point, foot),
             Edge::Gouge(_) => 0.0,
         };
         // A border right at the contact gives no direction.

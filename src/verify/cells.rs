@@ -1,6 +1,7 @@
 //! Samples' lines gathered by where they are and where they point, to be judged together.
 
 use super::entry::Line;
+use crate::math::order::{rank, sort_by_key};
 use glam::DVec3;
 
 /// Bounds that hold for some lines together, between the heights `from` and `top`.
@@ -146,9 +147,7 @@ pub(super) fn halve<T>(
         return second;
     }
     let median = items.len() / 2;
-    items.select_nth_unstable_by(median, |a, b| {
-        ends(a)[k][axis].total_cmp(&ends(b)[k][axis]).then(number(a).cmp(&number(b)))
-    });
+    sort_by_key(items, |item| (rank(ends(item)[k][axis]), number(item)));
     median
 }
 

@@ -5,6 +5,7 @@ use super::cells::{Cell, halve, share_out};
 use super::entry::{Line, enter};
 use super::samples::Sample;
 use super::sweeps::{Candidate, Sweeps};
+use crate::math::order::sort_by_key;
 use crate::monitor::{Cancelled, Stage};
 use crate::toolpath::Toolpath;
 use glam::DVec3;
@@ -106,13 +107,13 @@ impl Scene {
         }
         let is_part = |candidate: &Candidate| matches!(candidate, Candidate::Part(..));
         if smallest || (near.len() - end <= FEW && near[end..].iter().all(is_part)) {
-            near[end..].sort_unstable_by(Candidate::by_distance);
+            sort_by_key(&mut near[end..], Candidate::by_distance);
             for candidate in &near[end..] {
                 self.try_on(jobs, *candidate);
             }
         } else if near.len() > end {
             if (TRIED / 2 + 1..=TRIED).contains(&jobs.len())
-                && let Some(nearest) = near[end..].iter().min_by(|a, b| a.by_distance(b))
+                && let Some(nearest) = near[end..].iter().min_by_key(|candidate| candidate.by_distance())
             {
                 self.try_on(jobs, *nearest);
             }

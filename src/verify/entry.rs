@@ -63,7 +63,6 @@ fn halved(body: &Body, piece: &Piece, line: &Line, left: u32) -> Option<Entry> {
     }
     if left == 0 || 4.0 * piece.sag(middle.lever + span + 0.5 * piece.length()) <= MISS {
         // Along the normal a wall is as deep as it is thick, and its crest no less.
-        // Along the normal a wall is as deep as it is thick, and its crest no less.
         return first_entry(body, piece, line, &middle)
             .map(|entry| Entry { t: entry.t.max(*depth), ..entry })
             .filter(|entry| entry.t < line.to);

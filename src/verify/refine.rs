@@ -4,6 +4,7 @@ use super::bound::{Sense, bound, bow};
 use super::cut::{Hit, Scene};
 use super::samples::{Sample, Samples};
 use crate::geometry::Uv;
+use crate::math::order::{rank, sort_by_key};
 use crate::monitor::{Cancelled, Stage};
 use std::collections::BTreeMap;
 
@@ -106,7 +107,8 @@ impl<'a> Field<'a> {
             }
             // Where the surface is too wild for any bound, splitting seldom helps: such triangles come last.
             let key = |bound: f64| if bound.is_finite() { bound } else { f64::NEG_INFINITY };
-            open.sort_unstable_by(|a, b| key(b.0).total_cmp(&key(a.0)).then(a.1.cmp(&b.1)));
+            sort_by_key(open, |(_, [a, b, c])| (u64::from(*a) << 32 | u64::from(*b), *c));
+            sort_by_key(open, |(bound, _)| (!rank(key(*bound)), 0));
             // Nobody knows how many rounds there will be: each takes half of what is left of the stage.
             let quiet = part(1.0 - waiting);
             waiting *= 0.5;

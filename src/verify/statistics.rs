@@ -1,5 +1,6 @@
 //! The excess in a few numbers.
 
+use crate::math::order::{rank, sort_by_key};
 use glam::DVec3;
 
 /// An extreme excess and where it is.
@@ -48,7 +49,8 @@ pub struct Statistics {
 /// Least value that the `shares` (rising, 0 to 1) of the weight in `weighted` (value, weight) do not exceed.
 /// Not a number for no weight at all.
 pub(super) fn quantiles<const N: usize>(weighted: &mut [(f64, f64)], shares: [f64; N]) -> [f64; N] {
-    weighted.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    sort_by_key(weighted, |(_, weight)| (rank(*weight), 0));
+    sort_by_key(weighted, |(value, _)| (rank(*value), 0));
     let total: f64 = weighted.iter().map(|(_, w)| w).sum();
     let mut sum = 0.0;
     let mut found = [f64::NAN; N];

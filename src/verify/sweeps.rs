@@ -4,9 +4,9 @@ use super::body::Body;
 use super::cells::{Cell, Seen};
 use super::entry::TOUCH;
 use super::motion::{Piece, parts};
+use crate::math::order::{Key, rank};
 use crate::toolpath::{ClPoint, Toolpath};
 use glam::DVec3;
-use std::cmp::Ordering;
 
 /// A motion as a tree of poses.
 ///
@@ -45,13 +45,11 @@ pub(super) enum Candidate {
 
 impl Candidate {
     /// Parts before nodes, the nearest first, and equal ones by number.
-    pub(super) fn by_distance(&self, other: &Self) -> Ordering {
-        let key = |candidate: &Self| match *candidate {
-            Self::Part(number, distance) => (distance, number),
-            Self::Node(number) => (f64::INFINITY, number),
-        };
-        let (a, b) = (key(self), key(other));
-        a.0.total_cmp(&b.0).then(a.1.cmp(&b.1))
+    pub(super) fn by_distance(&self) -> Key {
+        match *self {
+            Self::Part(number, distance) => (rank(distance), number),
+            Self::Node(number) => (rank(f64::INFINITY), number),
+        }
     }
 }
 

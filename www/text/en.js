@@ -127,6 +127,7 @@ export default {
   'results.reached': 'Surface reached',
   'results.area': 'Surface area',
   'results.unreachable': 'Unreachable',
+  'results.unseen': 'Not seen from above (walls, undersides)',
   'results.unknown': 'no bound',
   'results.uncut': 'Left uncut',
   'results.excluded': 'Left out of the proof',

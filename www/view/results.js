@@ -37,7 +37,7 @@ export function createResults(root) {
 
 /** @param {Outcome} outcome @param {number} chord The deepest gouge that was allowed, millimetres. @param {boolean} isProving */
 function figures({ report, seconds, proofSeconds }, chord, isProving) {
-  const missed = report.unreachable.area_mm2;
+  const { area_mm2: missed, unseen_mm2: unseen } = report.unreachable;
   const reached = report.area_mm2 > 0 ? Math.max(0, 1 - missed / report.area_mm2) : 1;
   return [
     h(
@@ -51,6 +51,7 @@ function figures({ report, seconds, proofSeconds }, chord, isProving) {
     table(t('results.surface'), [
       ['reached', t('results.reached'), format.percent(reached)],
       ['unreachable', t('results.unreachable'), format.area(missed)],
+      ...(unseen > 0 ? [row('unseen', t('results.unseen'), format.area(unseen))] : []),
       ['area', t('results.area'), format.area(report.area_mm2)],
     ]),
     table(t('results.path'), [

@@ -47,11 +47,11 @@ fn native() -> Result<Vec<Rate>> {
 
 fn module() -> Result<Vec<Rate>> {
     wasm::add_target()?;
-    let build = ["build", "--release", "--quiet", "--lib", "--package", "rates", "--target", wasm::TARGET];
-    shell::cargo(build).run()?;
+    let what = ["--quiet", "--lib", "--package", "rates", "--target", wasm::TARGET];
+    shell::cargo(["build", "--profile", wasm::PROFILE].into_iter().chain(what)).run()?;
     let folder = target().join("rates");
     Bindgen::new()
-        .input_path(target().join(wasm::TARGET).join("release/rates.wasm"))
+        .input_path(wasm::built("rates"))
         .nodejs(true)?
         .generate(&folder)
         .context("making the JavaScript of the benchmarks")?;

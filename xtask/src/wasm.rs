@@ -18,13 +18,14 @@ pub fn folder() -> PathBuf {
 /// Compiles the library for the browser and writes `www/wasm/stepover{.js,.d.ts,_bg.wasm}`.
 pub fn build() -> Result<()> {
     add_target()?;
-    shell::cargo(["build", "--release", "--lib", "--package", "stepover", "--target", TARGET]).run()?;
+    shell::cargo(["build", "--profile", PROFILE, "--lib", "--package", "stepover", "--target", TARGET])
+        .run()?;
 
     let bound = shell::target().join("bindgen");
     let module = bound.join(MODULE);
     let before = fs::read(&module).ok();
     Bindgen::new()
-        .input_path(shell::target().join(TARGET).join("release/stepover.wasm"))
+        .input_path(built("stepover"))
         .web(true)?
         // The command's default and the library's differ; with `true` an `init()` without arguments throws.
         .omit_default_module_path(false)
@@ -48,16 +49,25 @@ pub fn build() -> Result<()> {
     shrink(&module, &small)
 }
 
+/// What the module is compiled as; see `Cargo.toml`.
+pub const PROFILE: &str = "page";
+
+/// Where the compiler puts the module of the package `name`.
+pub fn built(name: &str) -> PathBuf {
+    shell::target().join(TARGET).join(PROFILE).join(name).with_extension("wasm")
+}
+
 const MODULE: &str = "stepover_bg.wasm";
 
 /// Writes the module `from` to `to` without what is said twice. `-O1`: higher levels take three times as long for a
-/// thousandth of the size.
+/// thousandth of the size; the passes after it take a moment for three thousandths.
 fn shrink(from: &Path, to: &Path) -> Result<()> {
     page::install()?;
     let features = ["simd", "bulk-memory", "nontrapping-float-to-int", "sign-ext", "mutable-globals"];
     let more = ["reference-types", "multivalue", "extended-const"];
     let mut args: Vec<String> = features.iter().chain(&more).map(|name| format!("--enable-{name}")).collect();
-    args.extend(["-O1".into(), from.display().to_string(), "-o".into(), to.display().to_string()]);
+    args.extend(["-O1", "--rse", "--simplify-locals", "--vacuum"].map(String::from));
+    args.extend([from.display().to_string(), "-o".into(), to.display().to_string()]);
     let args: Vec<&str> = args.iter().map(String::as_str).collect();
     page::tool("wasm-opt", &args).run()
 }

@@ -4,7 +4,7 @@
 use super::ground::{Ground, WALL};
 use super::reach::Spot;
 use super::turn::Turn;
-use crate::geometry::Zone;
+use crate::geometry::{self, Zone};
 use crate::monitor::{Cancelled, Stage};
 use glam::DVec3;
 
@@ -27,7 +27,7 @@ impl Piece {
     /// Smaller ones, no longer than `longest`.
     pub(super) fn parts(&self, longest: f64) -> impl Iterator<Item = Self> {
         let normal = self.spot.normal;
-        small(self.corners, longest).into_iter().map(move |corners| Self::of(corners, normal))
+        geometry::pieces(self.corners, longest).into_iter().map(move |corners| Self::of(corners, normal))
     }
 }
 
@@ -60,7 +60,7 @@ fn of_facet(ground: &Ground<'_>, facet: usize, beyond: &Zone, turn: &Turn) -> Ve
     let Some(normal) = ground.mesh.normal(facet).filter(|n| n.z > WALL) else { return Vec::new() };
     let corners = ground.mesh.corners(facet);
     let length = ground.grain.along;
-    let steep = if normal.z < STEEP { small(corners, length) } else { Vec::new() };
+    let steep = if normal.z < STEEP { geometry::pieces(corners, length) } else { Vec::new() };
     let inside = steep.into_iter().map(|corners| Piece::of(corners, normal));
     let look = |piece: Piece| {
         if beyond.holds(&piece.corners.map(|p| turn.to_world(p))) {
@@ -89,25 +89,4 @@ fn rim(corners: [DVec3; 3], normal: DVec3, length: f64) -> impl Iterator<Item = 
             Piece { spot: Spot { point: inwards(p, INSIDE * length), normal }, corners, covered: false }
         })
     })
-}
-
-/// The triangle, halved along its longest side until no side is longer than `longest`.
-pub(super) fn small(corners: [DVec3; 3], longest: f64) -> Vec<[DVec3; 3]> {
-    let (mut open, mut small) = (vec![corners], Vec::new());
-    while let Some([a, b, c]) = open.pop() {
-        let sides = [a.distance(b), b.distance(c), c.distance(a)];
-        let side = sides[0].max(sides[1]).max(sides[2]);
-        if side <= longest {
-            small.push([a, b, c]);
-            continue;
-        }
-        let [a, b, c] = match sides.iter().position(|s| *s == side) {
-            Some(1) => [b, c, a],
-            Some(2) => [c, a, b],
-            _ => [a, b, c],
-        };
-        let middle = 0.5 * (a + b);
-        open.extend([[a, middle, c], [middle, b, c]]);
-    }
-    small
 }

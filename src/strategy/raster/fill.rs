@@ -3,6 +3,7 @@
 use super::across::{Asked, Wanting, still_wanting};
 use super::cut::Lines;
 use super::ground::Ground;
+use crate::math::order::sort_numbers;
 use crate::monitor::{Cancelled, Stage};
 use std::collections::BTreeMap;
 
@@ -78,7 +79,7 @@ pub(super) fn fill(
 /// Stretches around the places `at`, within the stretches `covered`: each place with a little on either side, and
 /// joined where the gap is short.
 fn joined(mut at: Vec<f64>, cusp: f64, covered: &[(f64, f64)]) -> Vec<(f64, f64)> {
-    at.sort_by(f64::total_cmp);
+    sort_numbers(&mut at);
     let (margin, gap) = (MARGIN * cusp, JOINED * cusp);
     let mut stretches: Vec<(f64, f64)> = Vec::new();
     for x in at {

@@ -4,6 +4,7 @@ use super::cut::{Lines, cut_by};
 use super::ground::Ground;
 use super::line::Drop;
 use super::reach::Spot;
+use crate::math::order::{rank, sort_by_key};
 use crate::monitor::{Cancelled, Stage};
 use glam::DVec2;
 use std::collections::BTreeMap;
@@ -51,8 +52,10 @@ pub(super) fn needed(
             }));
         }
     }
-    let order = |p: &Piece| (p.stretch, p.place, usize::MAX - p.outward);
-    pieces.sort_by(|a, b| order(a).cmp(&order(b)).then(a.drops[0].x.total_cmp(&b.drops[0].x)));
+    sort_by_key(&mut pieces, |p| (rank(p.drops[0].x), 0));
+    sort_by_key(&mut pieces, |p| {
+        ((p.stretch as u64) << 32 | u64::from(p.place), u32::MAX - p.outward as u32)
+    });
     let coverage = coverage(lines, &fixed, &pieces, ground, (out, spots), &stage.part(NEEDLESS, 0.0, 0.8))?;
     let kept = keep(pieces.len(), &coverage);
     let mut runs: BTreeMap<u32, Vec<Vec<Drop>>> = BTreeMap::new();
@@ -212,7 +215,7 @@ fn keep(count: usize, coverage: &[Vec<u32>]) -> Vec<bool> {
 
 /// Runs on one line, those joined that touch, or whose gap can be cut through on a way of at most `bridge`.
 fn bridged(mut runs: Vec<Vec<Drop>>, ground: &Ground<'_>, y: f64, bridge: f64) -> Vec<Vec<Drop>> {
-    runs.sort_by(|a, b| a[0].x.total_cmp(&b[0].x));
+    sort_by_key(&mut runs, |run| (rank(run[0].x), 0));
     let covered = ground.lowering.covered(y);
     let mut joined: Vec<Vec<Drop>> = Vec::new();
     for run in runs {

@@ -1,11 +1,11 @@
 //! What stays unfinished, as zones.
 
-use super::facet::{COVERED, small};
+use super::facet::COVERED;
 use super::ground::{Grain, WALL};
 use super::line::Lowering;
 use super::reach::Spot;
 use super::turn::Turn;
-use crate::geometry::{Cubes, TriMesh, Zone};
+use crate::geometry::{Cubes, TriMesh, Zone, pieces};
 use crate::monitor::{Cancelled, Stage};
 use glam::DVec3;
 
@@ -104,7 +104,7 @@ fn add(cubes: &mut Cubes, corners: [DVec3; 3], turn: &Turn) {
 
 /// Adds what of a facet lies below others, in small pieces.
 fn add_covered(cubes: &mut Cubes, corners: [DVec3; 3], lowering: &Lowering<'_>, turn: &Turn) {
-    for [a, b, c] in small(corners, cubes.cell()) {
+    for [a, b, c] in pieces(corners, cubes.cell()) {
         let p = (a + b + c) / 3.0;
         if lowering.mesh.top(p.x, p.y).is_some_and(|(z, _)| z > p.z + COVERED) {
             add(cubes, [a, b, c], turn);
