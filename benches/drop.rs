@@ -4,8 +4,11 @@ use divan::counter::ItemsCount;
 use stepover::contact::{DropMesh, Underside, drop_cutter};
 use stepover::cutter::Cutter;
 
+#[path = "rates/src/places.rs"]
+mod places;
 #[path = "../tests/support/sculpt.rs"]
 mod sculpt;
+use places::scattered;
 
 /// Cells a side of meshes of 5,000, 50,000 and 500,000 triangles.
 const CELLS: [u32; 3] = [50, 158, 500];
@@ -53,12 +56,6 @@ fn measure(bencher: divan::Bencher<'_, '_>, cells: u32, cutter: &Cutter, place: 
         };
         (0..DROPS).map(height).sum::<f64>()
     });
-}
-
-/// Evenly spread over the inner 95 mm, each far from the one before (Kronecker's sequence on the plastic number).
-fn scattered(i: usize) -> (f64, f64) {
-    let at = |step: f64| -47.5 + 95.0 * (i as f64 * step).fract();
-    (at(0.754_877_666_246_693), at(0.569_840_290_998_053_3))
 }
 
 /// Along lines 1.9 mm apart, at 0.95 mm.

@@ -13,7 +13,8 @@ use crate::geometry::TriMesh;
 use crate::math::bvh::{Aabb, Bvh};
 use edge::{EdgeTouch, Spot, touch_edge};
 use glam::{DVec2, DVec3};
-use lid::Lid;
+use lid::Lids;
+use std::ops::Range;
 pub use underside::Underside;
 
 /// What of the mesh a lowered cutter touches, by the mesh's own numbers.
@@ -41,23 +42,22 @@ pub struct Touch {
     pub feature: Feature,
 }
 
-/// A triangle with the gradient of its plane.
+/// A triangle. Its gradient is worked out anew where it is needed: a search waits longer for memory.
 #[derive(Debug, Clone, Copy)]
 struct Facet {
     corners: [DVec3; 3],
-    /// `None` for an upright or collapsed triangle, of which only the edges count.
-    gradient: Option<DVec2>,
 }
 
 /// A triangle whose normal is this close to level is upright: its shadow is thinner than rounding.
 const UPRIGHT: f64 = 1e-12;
 
 impl Facet {
-    fn new(corners: [DVec3; 3]) -> Self {
-        let [a, b, c] = corners;
+    /// The gradient of the triangle's plane; `None` for an upright or collapsed triangle, of which only the edges count.
+    fn gradient(&self) -> Option<DVec2> {
+        let [a, b, c] = self.corners;
         let n = (b - a).cross(c - a);
         let upright = n.z.abs() <= UPRIGHT * n.length();
-        Self { corners, gradient: (!upright).then(|| -n.truncate() / n.z) }
+        (!upright).then(|| -n.truncate() / n.z)
     }
 }
 
@@ -65,7 +65,7 @@ impl Facet {
 #[derive(Debug, Clone)]
 pub struct DropMesh {
     tree: Bvh,
-    lids: Vec<Lid>,
+    lids: Lids,
     /// By place in the tree's order, as all below.
     facets: Vec<Facet>,
     vertices: Vec<[u32; 3]>,
@@ -83,7 +83,7 @@ impl DropMesh {
         Self {
             lids: lid::lids(&tree, &corners),
             vertices: tree.order().iter().map(|&i| mesh.triangles[i as usize]).collect(),
-            facets: corners.into_iter().map(Facet::new).collect(),
+            facets: corners.into_iter().map(|corners| Facet { corners }).collect(),
             tree,
         }
     }
@@ -108,10 +108,13 @@ pub fn drop_cutter(mesh: &DropMesh, under: &Underside, x: f64, y: f64) -> Option
 pub fn drop_cutter_above(mesh: &DropMesh, under: &Underside, x: f64, y: f64, floor: f64) -> Option<Touch> {
     let axis = DVec2::new(x, y);
     let mut rest: Option<Rest> = None;
-    let bound = |node: usize| mesh.lids[node].bound(under, axis);
+    let bound = |node: usize| mesh.lids.bound(node, under, axis);
     mesh.tree.highest(floor, bound, |places, mut best| {
-        for place in places {
-            if let Some(found) = touch_triangle(mesh, under, axis, place, best) {
+        let bounds = bounds(mesh, under, axis, &places);
+        for (place, bound) in places.zip(bounds) {
+            if bound > best
+                && let Some(found) = touch_triangle(mesh, under, axis, place, best)
+            {
                 best = found.tip();
                 rest = Some(found);
             }
@@ -125,10 +128,13 @@ pub fn drop_cutter_above(mesh: &DropMesh, under: &Underside, x: f64, y: f64, flo
 /// rest higher.
 pub fn is_in_mesh(mesh: &DropMesh, under: &Underside, tip: DVec3) -> bool {
     let axis = tip.truncate();
-    let bound = |node: usize| mesh.lids[node].bound(under, axis);
+    let bound = |node: usize| mesh.lids.bound(node, under, axis);
     // Infinity, once something is found, leaves nothing to look for.
-    let found = mesh.tree.highest(tip.z, bound, |mut places, best| {
-        let inside = places.any(|place| touch_triangle(mesh, under, axis, place, best).is_some());
+    let found = mesh.tree.highest(tip.z, bound, |places, best| {
+        let bounds = bounds(mesh, under, axis, &places);
+        let inside = places
+            .zip(bounds)
+            .any(|(place, bound)| bound > best && touch_triangle(mesh, under, axis, place, best).is_some());
         if inside { f64::INFINITY } else { best }
     });
     found == f64::INFINITY
@@ -140,14 +146,23 @@ enum Rest {
     Edge { place: usize, side: usize, on: EdgeTouch },
 }
 
+/// How high the triangles of a leaf may lift the tip. All before one is looked at closely, so that they are waited for
+/// together.
+fn bounds(mesh: &DropMesh, under: &Underside, axis: DVec2, places: &Range<usize>) -> [f64; LEAF] {
+    let mut bounds = [f64::NEG_INFINITY; LEAF];
+    for (bound, facet) in bounds.iter_mut().zip(&mesh.facets[places.clone()]) {
+        let gradient = || facet.gradient().unwrap_or_default();
+        *bound = under.bound_triangle(&facet.corners, gradient, axis);
+    }
+    bounds
+}
+
 /// The cutter on the triangle at `place`, if that is higher than `floor`.
 fn touch_triangle(mesh: &DropMesh, under: &Underside, axis: DVec2, place: usize, floor: f64) -> Option<Rest> {
-    let Facet { corners, gradient } = &mesh.facets[place];
-    if under.bound_triangle(corners, gradient.unwrap_or_default(), axis) <= floor {
-        return None;
-    }
-    if let Some(gradient) = gradient {
-        let offset = under.touch_plane(*gradient);
+    let facet = &mesh.facets[place];
+    let corners = &facet.corners;
+    if let Some(gradient) = facet.gradient() {
+        let offset = under.touch_plane(gradient);
         let at = axis + offset;
         if holds(corners, at) {
             let z = corners[0].z + gradient.dot(at - corners[0].truncate());
@@ -194,7 +209,7 @@ impl Rest {
             Self::Facet { place, tip, point } => Touch {
                 tip_z: tip,
                 point,
-                normal: (-mesh.facets[place].gradient.unwrap_or_default()).extend(1.0).normalize(),
+                normal: (-mesh.facets[place].gradient().unwrap_or_default()).extend(1.0).normalize(),
                 feature: Feature::Facet(mesh.tree.order()[place]),
             },
             Self::Edge { place, side, on } => {

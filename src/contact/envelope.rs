@@ -1,8 +1,9 @@
 //! The surface that a moving corner torus leaves behind.
 
-use super::place::{axis, center, outward};
+use super::place::{Tilt, center_over};
 use crate::cutter::Cutter;
-use crate::toolpath::CcPoint;
+use crate::math::frame::Frame;
+use crate::toolpath::{CcPoint, Posture};
 use glam::DVec3;
 
 /// A corner torus in motion, at one instant.
@@ -28,27 +29,43 @@ pub struct Sweep {
 /// whole arc of the envelope is born at one θ; so near to it the result differs by less than 1e-6 of a radius.
 const LEAST_ANGLE: f64 = 1e-6;
 
+/// The tilt of `posture`, held [`LEAST_ANGLE`] apart from where the envelope degenerates.
+pub(super) fn distinct_tilt(mut posture: Posture) -> Tilt {
+    if posture.lead.abs() < LEAST_ANGLE {
+        posture.lead = LEAST_ANGLE;
+    }
+    if libm::cos(posture.yaw).abs() < LEAST_ANGLE {
+        posture.yaw -= LEAST_ANGLE * posture.yaw.signum();
+    }
+    Tilt::new(posture)
+}
+
 impl Sweep {
     /// The motion that carries `cc` at `velocity` (any speed) while turning by the angular velocity `spin` about it.
     pub fn new(cutter: &Cutter, cc: &CcPoint, velocity: DVec3, spin: DVec3) -> Self {
-        let mut cc = *cc;
-        if cc.posture.lead.abs() < LEAST_ANGLE {
-            cc.posture.lead = LEAST_ANGLE;
-        }
-        if libm::cos(cc.posture.yaw).abs() < LEAST_ANGLE {
-            cc.posture.yaw -= LEAST_ANGLE * cc.posture.yaw.signum();
-        }
-        let e1 = outward(&cc.frame, cc.posture);
-        let e2 = axis(&cc.frame, cc.posture).cross(e1);
+        Self::of_tilt(cutter, &distinct_tilt(cc.posture), cc.point, &cc.frame, velocity, spin)
+    }
+
+    /// [`Sweep::new`] with the posture made ready by [`distinct_tilt`], for many motions with one posture.
+    pub(super) fn of_tilt(
+        cutter: &Cutter,
+        tilt: &Tilt,
+        pivot: DVec3,
+        frame: &Frame,
+        velocity: DVec3,
+        spin: DVec3,
+    ) -> Self {
+        let e1 = tilt.outward(frame);
+        let e2 = tilt.axis(frame).cross(e1);
         // At the contact V × T is cos ω · n for positive lead.
-        let sign = if velocity.cross(e2).dot(cc.frame.n) >= 0.0 { 1.0 } else { -1.0 };
+        let sign = if velocity.cross(e2).dot(frame.n) >= 0.0 { 1.0 } else { -1.0 };
         Self {
-            center: center(cutter, &cc),
+            center: center_over(cutter, pivot, frame, e1),
             e1,
             e2,
             center_radius: cutter.center_radius,
             corner_radius: cutter.corner_radius,
-            pivot: cc.point,
+            pivot,
             velocity,
             spin,
             sign,
@@ -67,6 +84,13 @@ impl Sweep {
             return on_circle;
         }
         on_circle - across * (self.sign * self.corner_radius / length)
+    }
+
+    /// How the envelope leaves the contact as θ grows in the direction `toward` (±1), mm per radian.
+    pub(super) fn departure(&self, toward: f64) -> DVec3 {
+        // Small enough for the way to be straight, large enough not to drown in rounding.
+        let little = 1e-5;
+        (self.point(toward * little) - self.pivot) / little
     }
 
     /// The direction of θ (±1) that leads towards the left (`+b`) of the pass.

@@ -28,7 +28,7 @@ pub enum HalfStrip {
     },
     /// The envelope lies deeper than the allowance below the surface: the cutter gouges beside its contact.
     Gouge {
-        /// Deepest height found, mm, negative.
+        /// Height found there, mm, negative.
         height: f64,
     },
     /// The whole half of the cutter stays within the limit; the last θ and the distance there (mm).
@@ -47,125 +47,180 @@ pub(super) struct Search {
     pub gouge: f64,
     /// Where second order expects the edge, mm (infinite if it expects none).
     pub expected: f64,
+    /// By how much the side grows with θ at the contact, mm per radian.
+    pub speed: f64,
     /// +1 or −1: the direction of θ.
     pub toward: f64,
     /// Relative accuracy of the height at the edge.
     pub accuracy: f64,
 }
 
+/// A place that was looked at: θ in the searched direction, by how much the root of the height there exceeds that of the
+/// limit, and the distance to the side.
+#[derive(Clone, Copy)]
+struct Place {
+    theta: f64,
+    gap: f64,
+    side: f64,
+}
+
 /// Steps of a march out from the contact: enough to double from 1e-9 to π.
 const MARCH: usize = 60;
-/// Bisection alone needs 45 calls from π to a rounding error.
-const REFINE: usize = 60;
+/// Steps to the edge between two places: enough to halve from π to a rounding error, with a failed try before each.
+const REFINE: usize = 100;
+/// Steps of the march that aim at the edge itself; later ones, which keep falling short, go ever farther beyond it.
+const PATIENCE: usize = 3;
 
 /// The θ on one side at which `read` reaches the scallop height.
 ///
-/// The height grows like the square of the way from the contact, so its root is nearly linear and a secant on it
-/// lands within a few calls; the bracket keeps it safe near the jumps of a flat bottom.
-pub(super) fn search(mut read: impl FnMut(f64) -> Reading, how: Search) -> HalfStrip {
+/// The height grows like the square of the way from the contact, so its root is nearly linear, with the slope that
+/// second order states: θ as a polynomial of it lands within a few calls. The bracket keeps that safe near the jumps of
+/// a flat bottom.
+pub(super) fn search(read: &mut dyn FnMut(f64) -> Reading, how: Search) -> HalfStrip {
     let target = how.scallop.sqrt();
-    let root = |r: &Reading| r.height.max(0.0).sqrt() - target;
-    let (mut inner, mut inner_gap, mut inner_side) = (0.0, -target, 0.0);
-    let mut outer = None;
-    let mut step = first_step(&mut read, &how);
-    for _ in 0..MARCH {
-        let theta = (inner + step).min(PI);
+    let first = how.first_step();
+    let mut aims = Aims::new(target, first);
+    let mut inner = Place { theta: 0.0, gap: -target, side: 0.0 };
+    let mut theta = first.unwrap_or(1e-6);
+    for step in 0..MARCH {
         let reading = read(how.toward * theta);
         if !reading.height.is_finite() {
-            return border(read, how, inner, theta, inner_gap, target);
+            return border(read, &how, inner, theta);
         }
         if reading.height < -how.gouge {
             return HalfStrip::Gouge { height: reading.height };
         }
-        let gap = root(&reading);
-        if gap >= 0.0 {
-            outer = Some((theta, gap, reading.side));
-            break;
+        let here = how.place(theta, reading);
+        if here.gap.abs() <= how.tolerance() {
+            return how.reached(here);
         }
-        // Aim at the edge by the last chord of the root, but never further than three times as far, nor less than 1.3 times.
-        let slope = (gap - inner_gap) / (theta - inner);
-        let aim = if slope > 0.0 { 1.05 * (-gap / slope) } else { f64::INFINITY };
-        (inner, inner_gap, inner_side) = (theta, gap, reading.side);
+        let aim = aims.add(here);
+        if here.gap > 0.0 {
+            return refine(read, &how, (inner, here), aims, aim);
+        }
         if theta >= PI {
-            return HalfStrip::Whole { side: inner_side };
+            return HalfStrip::Whole { side: here.side };
         }
-        step = aim.clamp(0.3 * theta, 2.0 * theta);
+        inner = here;
+        let way = (aim - theta) * f64::from(1 << step.saturating_sub(PATIENCE).min(30) as u32);
+        theta = if way > 0.0 { (theta + way).min(3.0 * theta) } else { 3.0 * theta }.min(PI);
     }
-    let Some(outer) = outer else { return HalfStrip::Whole { side: inner_side } };
-    refine(read, &how, (inner, inner_gap, inner_side), outer, target)
+    HalfStrip::Whole { side: inner.side }
 }
 
-/// The first step of the march: where second order expects the edge.
-fn first_step(read: &mut impl FnMut(f64) -> Reading, how: &Search) -> f64 {
-    // A θ small enough for the side to be linear, large enough not to drown in rounding.
-    let probe = 1e-5;
-    let side = read(how.toward * probe).side;
-    let wish = how.expected.min(1e3) * probe / side;
-    if wish.is_finite() && wish > 0.0 { wish.clamp(1e-9, 1.0) } else { 1e-6 }
+impl Search {
+    /// The first step of the march: where second order expects the edge, if it does.
+    fn first_step(&self) -> Option<f64> {
+        let wish = self.expected.min(1e3) / self.speed;
+        (wish.is_finite() && wish > 0.0).then(|| wish.clamp(1e-9, 1.0))
+    }
+
+    fn place(&self, theta: f64, reading: Reading) -> Place {
+        Place { theta, gap: reading.height.max(0.0).sqrt() - self.scallop.sqrt(), side: reading.side }
+    }
+
+    /// Error of the height's root that counts as none.
+    fn tolerance(&self) -> f64 {
+        0.5 * self.accuracy * self.scallop.sqrt()
+    }
+
+    fn reached(&self, at: Place) -> HalfStrip {
+        HalfStrip::Reached { theta: self.toward * at.theta, side: at.side }
+    }
 }
 
+/// Places through which θ is interpolated.
+const NODES: usize = 4;
+
+/// Inverse interpolation: θ as the polynomial of the gap through the latest places, by Neville's scheme.
+struct Aims {
+    /// The latest first.
+    gaps: [f64; NODES],
+    /// The polynomials through the latest one, two, … places, at a gap of zero.
+    zeros: [f64; NODES],
+    count: usize,
+}
+
+impl Aims {
+    /// Begins with the contact, where the gap is `-target`; twice, that is with a slope, if the edge is `expected` by it.
+    fn new(target: f64, expected: Option<f64>) -> Self {
+        let mut zeros = [0.0; NODES];
+        zeros[1] = expected.unwrap_or(0.0);
+        Self { gaps: [-target; NODES], zeros, count: 1 + usize::from(expected.is_some()) }
+    }
+
+    /// Takes in a place; the θ at which the gap is expected to be zero, if it is a number.
+    fn add(&mut self, at: Place) -> f64 {
+        let before = self.count.min(NODES - 1);
+        let mut zeros = [at.theta; NODES];
+        for m in 1..=before {
+            let gap = self.gaps[m - 1];
+            zeros[m] = (gap * zeros[m - 1] - at.gap * self.zeros[m - 1]) / (gap - at.gap);
+        }
+        self.gaps.copy_within(..NODES - 1, 1);
+        self.gaps[0] = at.gap;
+        self.zeros = zeros;
+        self.count = before + 1;
+        zeros[before]
+    }
+}
+
+/// The edge between a place within the limit and one beyond it.
 fn refine(
-    mut read: impl FnMut(f64) -> Reading,
+    read: &mut dyn FnMut(f64) -> Reading,
     how: &Search,
-    (mut a, mut ya, mut side_a): (f64, f64, f64),
-    (mut b, mut yb, mut side_b): (f64, f64, f64),
-    target: f64,
+    (mut inner, mut outer): (Place, Place),
+    mut aims: Aims,
+    mut aim: f64,
 ) -> HalfStrip {
-    // Illinois: a secant that halves the weight of an end that stays.
-    let tolerance = 0.5 * how.accuracy * target;
-    let (mut wa, mut wb) = (ya, yb);
-    for k in 0..REFINE {
-        if yb.abs() <= tolerance || -ya <= tolerance || (b - a) < 1e-15 * b {
+    // Two tries in a row that leave more than half of the bracket are answered by halving it.
+    let mut slow = 0u32;
+    for _ in 0..REFINE {
+        let width = outer.theta - inner.theta;
+        if width < 1e-15 * outer.theta {
             break;
         }
-        let secant = (wb * a - wa * b) / (wb - wa);
-        let theta = if k % 8 == 7 || !(secant > a && secant < b) { 0.5 * (a + b) } else { secant };
+        let inside = inner.theta < aim && aim < outer.theta;
+        let theta = if inside && slow < 2 { aim } else { 0.5 * (inner.theta + outer.theta) };
         let reading = read(how.toward * theta);
         if !reading.height.is_finite() {
-            return HalfStrip::Border { theta: how.toward * a };
+            return HalfStrip::Border { theta: how.toward * inner.theta };
         }
-        let y = reading.height.max(0.0).sqrt() - target;
-        if y >= 0.0 {
-            (b, yb, wb, side_b) = (theta, y, y, reading.side);
-            wa *= 0.5;
-        } else {
-            (a, ya, wa, side_a) = (theta, y, y, reading.side);
-            wb *= 0.5;
+        if reading.height < -how.gouge {
+            return HalfStrip::Gouge { height: reading.height };
         }
+        let here = how.place(theta, reading);
+        if here.gap.abs() <= how.tolerance() {
+            return how.reached(here);
+        }
+        aim = aims.add(here);
+        *(if here.gap > 0.0 { &mut outer } else { &mut inner }) = here;
+        let halved = outer.theta - inner.theta <= 0.5 * width;
+        slow = if halved { slow.saturating_sub(1) } else { slow + 1 };
     }
-    if yb.abs() <= ya.abs() {
-        HalfStrip::Reached { theta: how.toward * b, side: side_b }
-    } else {
-        HalfStrip::Reached { theta: how.toward * a, side: side_a }
-    }
+    how.reached(if outer.gap <= -inner.gap { outer } else { inner })
 }
 
 /// The envelope ran off the surface between `inner` (over it) and `outer` (not): the border, unless the limit is
 /// reached before it.
-fn border(
-    mut read: impl FnMut(f64) -> Reading,
-    how: Search,
-    mut inner: f64,
-    mut outer: f64,
-    inner_gap: f64,
-    target: f64,
-) -> HalfStrip {
-    let start = (inner, inner_gap, 0.0);
+fn border(read: &mut dyn FnMut(f64) -> Reading, how: &Search, mut inner: Place, mut outer: f64) -> HalfStrip {
     for _ in 0..40 {
-        let theta = 0.5 * (inner + outer);
+        let theta = 0.5 * (inner.theta + outer);
         let reading = read(how.toward * theta);
         if !reading.height.is_finite() {
             outer = theta;
         } else {
-            let gap = reading.height.max(0.0).sqrt() - target;
-            if gap >= 0.0 {
-                return refine(read, &how, start, (theta, gap, reading.side), target);
+            let here = how.place(theta, reading);
+            if here.gap >= 0.0 {
+                let mut aims = Aims::new(how.scallop.sqrt(), None);
+                let aim = aims.add(here);
+                return refine(read, how, (inner, here), aims, aim);
             }
-            inner = theta;
+            inner = here;
         }
-        if outer - inner < 1e-6 * outer {
+        if outer - inner.theta < 1e-6 * outer {
             break;
         }
     }
-    HalfStrip::Border { theta: how.toward * inner }
+    HalfStrip::Border { theta: how.toward * inner.theta }
 }

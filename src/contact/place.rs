@@ -5,35 +5,60 @@ use crate::math::frame::Frame;
 use crate::toolpath::{CcPoint, ClPoint, Posture};
 use glam::DVec3;
 
+/// Sines and cosines of a posture.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Tilt {
+    lead: (f64, f64),
+    yaw: (f64, f64),
+}
+
+impl Tilt {
+    pub(super) fn new(posture: Posture) -> Self {
+        Self { lead: libm::sincos(posture.lead), yaw: libm::sincos(posture.yaw) }
+    }
+
+    /// Unit tangent direction `t` that the axis leans to.
+    fn lean(&self, frame: &Frame) -> DVec3 {
+        let (so, co) = self.yaw;
+        frame.f * co + frame.b * so
+    }
+
+    /// Unit axis.
+    pub(super) fn axis(&self, frame: &Frame) -> DVec3 {
+        let (sl, cl) = self.lead;
+        frame.n * cl + self.lean(frame) * sl
+    }
+
+    /// Unit vector `u` from the disc's centre to the point of the centre circle above the contact.
+    pub(super) fn outward(&self, frame: &Frame) -> DVec3 {
+        let (sl, cl) = self.lead;
+        self.lean(frame) * cl - frame.n * sl
+    }
+}
+
 /// Unit axis of `posture` in `frame`: `cos λ · n + sin λ · (cos ω · f + sin ω · b)`.
 pub fn axis(frame: &Frame, posture: Posture) -> DVec3 {
-    let (sl, cl) = libm::sincos(posture.lead);
-    frame.n * cl + lean(frame, posture) * sl
-}
-
-/// Unit tangent direction `t` that the axis leans to.
-fn lean(frame: &Frame, posture: Posture) -> DVec3 {
-    let (so, co) = libm::sincos(posture.yaw);
-    frame.f * co + frame.b * so
-}
-
-/// Unit vector `u` from the disc's centre to the point of the centre circle above the contact.
-pub(super) fn outward(frame: &Frame, posture: Posture) -> DVec3 {
-    let (sl, cl) = libm::sincos(posture.lead);
-    lean(frame, posture) * cl - frame.n * sl
+    Tilt::new(posture).axis(frame)
 }
 
 /// Centre of the corner's centre circle, `p + r n − R1 u`, for a cutter whose corner touches `cc`.
 ///
 /// With `λ = 0` the bottom lies flat on the tangent plane; the contact is then taken on the rim towards yaw.
 pub fn center(cutter: &Cutter, cc: &CcPoint) -> DVec3 {
-    cc.point + cc.frame.n * cutter.corner_radius - outward(&cc.frame, cc.posture) * cutter.center_radius
+    center_over(cutter, cc.point, &cc.frame, Tilt::new(cc.posture).outward(&cc.frame))
+}
+
+/// [`center`], with `outward` computed already.
+pub(super) fn center_over(cutter: &Cutter, point: DVec3, frame: &Frame, outward: DVec3) -> DVec3 {
+    point + frame.n * cutter.corner_radius - outward * cutter.center_radius
 }
 
 /// The cutter location that touches `cc` with the corner.
 pub fn cl_of(cutter: &Cutter, cc: &CcPoint) -> ClPoint {
-    let axis = axis(&cc.frame, cc.posture);
-    ClPoint { tip: center(cutter, cc) - axis * cutter.center_height, axis }
+    let tilt = Tilt::new(cc.posture);
+    let axis = tilt.axis(&cc.frame);
+    let center = center_over(cutter, cc.point, &cc.frame, tilt.outward(&cc.frame));
+    ClPoint { tip: center - axis * cutter.center_height, axis }
 }
 
 /// The point of the corner that touches a surface whose outward unit normal there is `n`; `None` where the axis is

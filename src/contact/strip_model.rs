@@ -1,12 +1,13 @@
 //! Exact strip over the quadratic model of a surface.
 
-use super::envelope::Sweep;
+use super::envelope::{Sweep, distinct_tilt};
 use super::half_strip::{HalfStrip, Reading, Search, search};
+use super::place::Tilt;
 use super::relative::second_order_strip_width;
 use crate::cutter::Cutter;
 use crate::geometry::Curvature;
 use crate::math::frame::Frame;
-use crate::toolpath::{CcPoint, Posture};
+use crate::toolpath::Posture;
 use glam::DVec3;
 
 /// The strip that one contact point finishes, each side on its own.
@@ -36,61 +37,86 @@ impl ModelStrip {
 /// envelope is exact; the search stops at a millionth of the height.
 pub fn model_strip(cutter: &Cutter, posture: Posture, k: &Curvature, scallop: f64) -> ModelStrip {
     let expected = 0.5 * second_order_strip_width(cutter, posture, k, scallop);
+    let model = Model { cutter, tilt: distinct_tilt(posture), k };
+    let start = model.sweep(0.0);
     let side = |left: bool| {
-        let start = model_sweep(cutter, posture, k, 0.0);
-        let toward = start.left(DVec3::Y) * if left { 1.0 } else { -1.0 };
         let y_sign = if left { 1.0 } else { -1.0 };
-        // The instant at which the foot of the envelope's point lies over x = 0; carried from call to call, since it
-        // settles together with θ.
-        let mut t = 0.0;
-        let read = |theta: f64| {
-            let mut foot = model_foot(k, model_sweep(cutter, posture, k, t).point(theta));
-            for _ in 0..2 {
+        let toward = start.left(DVec3::Y) * y_sign;
+        let departure = start.departure(toward);
+        // The instant at which the foot of the envelope's point lies over x = 0, per |θ|: from call to call it changes
+        // little.
+        let mut pace = -departure.x;
+        let mut read = |theta: f64| {
+            let mut t = pace * theta.abs();
+            let mut foot = model.foot(model.sweep(t).point(theta));
+            for _ in 0..3 {
                 if foot.x.abs() < 1e-7 * (1.0 + foot.y.abs()) {
                     break;
                 }
                 t -= foot.x;
-                foot = model_foot(k, model_sweep(cutter, posture, k, t).point(theta));
+                foot = model.foot(model.sweep(t).point(theta));
             }
+            pace = t / theta.abs();
             Reading { height: foot.z, side: foot.y * y_sign }
         };
-        search(read, Search { scallop, gouge: 0.01 * scallop, expected, toward, accuracy: 1e-6 })
+        let speed = departure.y * y_sign;
+        let how = Search { scallop, gouge: 0.01 * scallop, expected, speed, toward, accuracy: 1e-6 };
+        search(&mut read, how)
     };
     ModelStrip { left: side(true), right: side(false) }
 }
 
-/// The cutter in motion over the model, when its contact is at `x = t`.
-fn model_sweep(cutter: &Cutter, posture: Posture, k: &Curvature, t: f64) -> Sweep {
-    let slope = k.ff * t;
-    let velocity = DVec3::new(1.0, 0.0, slope);
-    let stretch = velocity.length_recip();
-    let f = velocity * stretch;
-    let m = DVec3::new(-slope, -k.fb * t, 1.0);
-    let n = m.normalize();
-    let frame = Frame { f, b: n.cross(f), n };
-    // The frame's rates of change give its angular velocity: f′ = Ω × f and n′ = Ω × n.
-    let f_rate = DVec3::new(-slope, 0.0, 1.0) * (k.ff * stretch * stretch * stretch);
-    let n_rate = {
-        let m_rate = DVec3::new(-k.ff, -k.fb, 0.0);
-        (m_rate - n * n.dot(m_rate)) / m.length()
-    };
-    let spin = frame.f * -n_rate.dot(frame.b) + frame.b * n_rate.dot(frame.f) + frame.n * f_rate.dot(frame.b);
-    let cc = CcPoint { point: DVec3::new(t, 0.0, 0.5 * k.ff * t * t), frame, posture };
-    Sweep::new(cutter, &cc, velocity, spin)
+/// A cutter over a quadratic surface.
+struct Model<'a> {
+    cutter: &'a Cutter,
+    tilt: Tilt,
+    k: &'a Curvature,
 }
 
-/// Foot `(x, y)` of the point `e` on the model along its normal, and the height over it as `z`.
-fn model_foot(k: &Curvature, e: DVec3) -> DVec3 {
-    let (mut x, mut y, mut height) = (e.x, e.y, 0.0);
-    // A contraction by height × curvature, below 1e-2 for every strip that fits its surface.
-    for _ in 0..4 {
-        let (zx, zy) = (k.ff * x + k.fb * y, k.fb * x + k.bb * y);
-        let w = (1.0 + zx * zx + zy * zy).sqrt();
-        let z = 0.5 * (x * zx + y * zy);
-        height = (e.z - z + (e.x - x) * -zx + (e.y - y) * -zy) / w;
-        (x, y) = (e.x + height * zx / w, e.y + height * zy / w);
+impl Model<'_> {
+    /// The cutter in motion when its contact is at `x = t`.
+    fn sweep(&self, t: f64) -> Sweep {
+        let k = self.k;
+        let slope = k.ff * t;
+        let velocity = DVec3::new(1.0, 0.0, slope);
+        let stretch = velocity.length_recip();
+        let f = velocity * stretch;
+        let m = DVec3::new(-slope, -k.fb * t, 1.0);
+        let shrink = m.length_recip();
+        let n = m * shrink;
+        let frame = Frame { f, b: n.cross(f), n };
+        // The frame's rates of change give its angular velocity: f′ = Ω × f and n′ = Ω × n.
+        let f_rate = DVec3::new(-slope, 0.0, 1.0) * (k.ff * stretch * stretch * stretch);
+        let n_rate = {
+            let m_rate = DVec3::new(-k.ff, -k.fb, 0.0);
+            (m_rate - n * n.dot(m_rate)) * shrink
+        };
+        let spin =
+            frame.f * -n_rate.dot(frame.b) + frame.b * n_rate.dot(frame.f) + frame.n * f_rate.dot(frame.b);
+        let pivot = DVec3::new(t, 0.0, 0.5 * k.ff * t * t);
+        Sweep::of_tilt(self.cutter, &self.tilt, pivot, &frame, velocity, spin)
     }
-    DVec3::new(x, y, height)
+
+    /// Foot `(x, y)` of the point `e` along its normal, and the height over it as `z`.
+    fn foot(&self, e: DVec3) -> DVec3 {
+        let k = self.k;
+        let (mut x, mut y, mut height) = (e.x, e.y, 0.0);
+        // A contraction by height × curvature, below 1e-2 for every strip that fits its surface.
+        for _ in 0..4 {
+            let (zx, zy) = (k.ff * x + k.fb * y, k.fb * x + k.bb * y);
+            let square = 1.0 + zx * zx + zy * zy;
+            let z = 0.5 * (x * zx + y * zy);
+            let share = (e.z - z + (e.x - x) * -zx + (e.y - y) * -zy) / square;
+            height = share * square.sqrt();
+            let (from_x, from_y) = (x, y);
+            (x, y) = (e.x + share * zx, e.y + share * zy);
+            // The next would be a hundredth of this, at most.
+            if (x - from_x).abs() + (y - from_y).abs() < 1e-9 {
+                break;
+            }
+        }
+        DVec3::new(x, y, height)
+    }
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use super::envelope::Sweep;
 use super::half_strip::{HalfStrip, Reading, Search, search};
 use super::relative::second_order_strip_width;
 use crate::cutter::Cutter;
-use crate::geometry::{Curvature, Face, Uv};
+use crate::geometry::{Curvature, Domain, Face, Jet, Uv};
 use crate::toolpath::CcPoint;
 use glam::DVec3;
 
@@ -39,9 +39,11 @@ pub struct StripLimits {
 
 /// Share of the scallop to which an edge is found.
 const ACCURACY: f64 = 1e-3;
-/// A foot is found when its tangential residue is below this, mm: the height then errs by the square of it, halved
-/// and times the curvature.
-const FOOT: f64 = 1e-4;
+/// A foot is found when the point is no farther beside the normal at the place looked at than this share of the half
+/// strip, nor than this many mm: from there the second derivatives lead on, so that the height errs by the cube of it, a
+/// sixth of it at the most, times the change of the curvature over a millimetre.
+const NEAR_SHARE: f64 = 0.01;
+const NEAR: f64 = 0.01;
 
 /// The exact strip about the contact `cc` at `uv` on `face`, while the contact moves along its feed at unit speed and
 /// its frame turns by `spin` (radians per mm, in world axes).
@@ -56,7 +58,7 @@ pub fn face_strip(
     spin: DVec3,
     limits: StripLimits,
 ) -> Option<FaceStrip> {
-    let (jet, _) = face.at(uv)?;
+    let (jet, n) = face.at(uv)?;
     let surface = Curvature::of(&jet, &cc.frame)?;
     let expected = 0.5 * second_order_strip_width(cutter, cc.posture, &surface, limits.scallop);
     let sweep = Sweep::new(cutter, cc, cc.frame.f, spin);
@@ -64,15 +66,22 @@ pub fn face_strip(
     let edge = |left: bool| {
         let sign = if left { 1.0 } else { -1.0 };
         let toward = sweep.left(cc.frame.b) * sign;
-        let mut foot = Foot { face, uv };
-        let read = |theta: f64| {
+        let near = NEAR.min(NEAR_SHARE * expected);
+        let mut foot = Foot { face, domain, base: uv, jet, n, near, uv };
+        let mut read = |theta: f64| {
             let e = sweep.point(theta);
             let side = (e - cc.point).dot(cc.frame.b) * sign;
             Reading { height: foot.height(e).unwrap_or(f64::NAN), side }
         };
-        let how =
-            Search { scallop: limits.scallop, gouge: limits.gouge, expected, toward, accuracy: ACCURACY };
-        match search(read, how) {
+        let how = Search {
+            scallop: limits.scallop,
+            gouge: limits.gouge,
+            expected,
+            speed: sweep.departure(toward).dot(cc.frame.b) * sign,
+            toward,
+            accuracy: ACCURACY,
+        };
+        match search(&mut read, how) {
             HalfStrip::Reached { theta, .. } => Edge::Reached(foot.at(sweep.point(theta))),
             HalfStrip::Whole { .. } => Edge::Reached(foot.uv),
             HalfStrip::Border { theta } => {
@@ -89,38 +98,70 @@ pub fn face_strip(
     Some(FaceStrip { left: edge(true), right: edge(false) })
 }
 
+/// A way in the parameters, and where it leads.
+struct Step {
+    u: f64,
+    v: f64,
+    /// Square of its length on the surface, to first order.
+    way_squared: f64,
+    /// Height over the surface at its end.
+    height: f64,
+}
+
 /// The foot of a moving point on a face, followed from call to call.
 struct Foot<'a> {
     face: &'a Face,
+    domain: Domain,
+    /// Where the surface was looked at last.
+    base: Uv,
+    jet: Jet,
+    n: DVec3,
+    /// How far from there, mm, its second derivatives are trusted.
+    near: f64,
     uv: Uv,
 }
 
 impl Foot<'_> {
     /// Height of `e` over the face along its normal; `None` where its foot lies outside the face or none is found.
     fn height(&mut self, e: DVec3) -> Option<f64> {
-        let domain = self.face.domain();
-        let mut uv = self.uv;
         let mut clamped = false;
         for _ in 0..20 {
-            let jet = self.face.jet(uv);
-            let away = e - jet.p;
-            let (du, dv) = jet.pull_back(away)?;
-            let n = self.face.normal(&jet)?;
-            let tangential = away - n * away.dot(n);
-            if tangential.length_squared() < FOOT * FOOT {
-                self.uv = uv;
-                return Some(away.dot(n));
+            let away = e - self.jet.p;
+            let step = self.step(away)?;
+            let next = Uv::new(self.base.u + step.u, self.base.v + step.v);
+            let out = !self.domain.contains(next);
+            if !out && step.way_squared <= self.near * self.near {
+                self.uv = next;
+                return Some(step.height);
             }
-            let next = Uv::new(uv.u + du, uv.v + dv);
-            let held = domain.clamp(next);
-            let out = !domain.contains(next);
             if out && clamped {
                 return None;
             }
             clamped = out;
-            uv = held;
+            self.base = self.domain.clamp(next);
+            self.jet = self.face.jet(self.base);
+            self.n = self.face.normal(&self.jet)?;
         }
         None
+    }
+
+    /// From the base to the foot of a point `away` from it, by the surface's second derivatives; `None` at a pole.
+    fn step(&self, away: DVec3) -> Option<Step> {
+        let Self { jet, n, .. } = self;
+        let (u, v) = jet.pull_back(away)?;
+        let (rise_u, rise_v) = (jet.duu * u + jet.duv * v, jet.duv * u + jet.dvv * v);
+        let way_squared = (jet.du * u + jet.dv * v).length_squared();
+        let bend = (rise_u * u + rise_v * v) * 0.5;
+        let height = (away - bend).dot(*n);
+        // Where the surface bends as much as that, the next place looked at tells more.
+        if bend.length_squared() > 0.1 * way_squared {
+            return Some(Step { u, v, way_squared, height });
+        }
+        // The normal turns along the way, and what stands above the surface moves with it.
+        let rest = away - bend;
+        let (a, b) = (jet.du.dot(rest) + height * rise_u.dot(*n), jet.dv.dot(rest) + height * rise_v.dot(*n));
+        let (u, v) = jet.raise(a, b)?;
+        Some(Step { u, v, way_squared, height })
     }
 
     fn at(&mut self, e: DVec3) -> Uv {

@@ -49,12 +49,17 @@ impl Jet {
     /// The parameter step `(Δu, Δv)` whose image under the tangents is the tangent part of the world vector `w`;
     /// `None` where the tangents span no plane.
     pub fn pull_back(&self, w: DVec3) -> Option<(f64, f64)> {
+        self.raise(self.du.dot(w), self.dv.dot(w))
+    }
+
+    /// The parameter step `(Δu, Δv)` whose image has the inner products `a` with ∂/∂u and `b` with ∂/∂v; `None` where the
+    /// tangents span no plane.
+    pub fn raise(&self, a: f64, b: f64) -> Option<(f64, f64)> {
         let (e, f, g) = self.first_form();
         let det = e * g - f * f;
         if !(det > SINGULAR_SINE * SINGULAR_SINE * e * g && det > 0.0) {
             return None;
         }
-        let (a, b) = (self.du.dot(w), self.dv.dot(w));
         Some(((g * a - f * b) / det, (e * b - f * a) / det))
     }
 }

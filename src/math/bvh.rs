@@ -146,27 +146,29 @@ impl Bvh {
             return best;
         }
         // Sorted, the most promising last: a child's bound is little below its parent's, so it settles near the end.
-        let mut open: Vec<(f64, u32)> = Vec::with_capacity(USUAL_OPEN);
-        open.push((bound(0), 0));
-        while let Some((limit, node)) = open.pop() {
+        // A node waits with its link, so that its children need not be waited for twice.
+        let mut open: Vec<(f64, Link)> = Vec::with_capacity(USUAL_OPEN);
+        open.push((bound(0), self.links[0]));
+        while let Some((limit, Link { first, count })) = open.pop() {
             if limit <= best {
                 break;
             }
-            let Link { first, count } = self.links[node as usize];
+            let first = first as usize;
             if count > 0 {
-                best = leaf(first as usize..(first + count) as usize, best);
+                best = leaf(first..first + count as usize, best);
                 continue;
             }
-            for child in [first + 1, first] {
-                let limit = bound(child as usize);
+            // Both before either is put in its place: neither waits for the other.
+            for (limit, child) in [(bound(first + 1), first + 1), (bound(first), first)] {
                 if limit > best {
+                    let entry = (limit, self.links[child]);
                     let mut at = open.len();
-                    open.push((limit, child));
+                    open.push(entry);
                     while at > 0 && open[at - 1].0 > limit {
                         open[at] = open[at - 1];
                         at -= 1;
                     }
-                    open[at] = (limit, child);
+                    open[at] = entry;
                 }
             }
         }

@@ -1,6 +1,7 @@
 //! The planner's three hot paths as pieces of work that are timed alike in native code and as WebAssembly.
 
 mod dome;
+mod places;
 #[path = "../../../tests/support/sculpt.rs"]
 mod sculpt;
 mod strips;
@@ -8,9 +9,9 @@ mod strips;
 use glam::DVec3;
 use stepover::contact::{DropMesh, StripLimits, Underside, drop_cutter, face_strip, model_strip};
 use stepover::cutter::Cutter;
-use stepover::geometry::Face;
+use stepover::geometry::{Curvature, Face};
 use stepover::monitor::Stage;
-use stepover::toolpath::{CcPoint, Toolpath};
+use stepover::toolpath::{CcPoint, Posture, Toolpath};
 use stepover::verify::{Options, Samples, verify};
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -23,7 +24,7 @@ const DROPS: usize = 5000;
 
 enum Task {
     Drops { mesh: DropMesh, under: Underside },
-    Model,
+    Model { cases: Vec<(Cutter, Posture, Curvature)> },
     Surface { face: Face, contacts: Vec<(stepover::geometry::Uv, CcPoint)>, cutter: Cutter },
     Proof { cutter: Cutter, path: Toolpath, samples: Samples },
 }
@@ -45,7 +46,7 @@ impl Work {
             0 => drops(50)?,
             1 => drops(158)?,
             2 => drops(500)?,
-            3 => Task::Model,
+            3 => Task::Model { cases: strips::cases() },
             4 => {
                 let (face, contacts) = strips::contacts();
                 Task::Surface { face: face?, contacts, cutter: Cutter::bull_nose(8.0, 2.0, 30.0).ok()? }
@@ -66,7 +67,7 @@ impl Work {
             Task::Drops { mesh, .. } => {
                 format!("bull-nose drops on {} triangles", mesh.tree().order().len())
             }
-            Task::Model => "exact strips over the model surface".into(),
+            Task::Model { .. } => "exact strips over the model surface".into(),
             Task::Surface { .. } => "exact strips over a spline surface".into(),
             Task::Proof { .. } => "samples proven under 2 m of path".into(),
         }
@@ -75,11 +76,11 @@ impl Work {
     /// Does it once; how many were done.
     pub fn run(&self) -> u32 {
         let count = match &self.0 {
-            Task::Drops { mesh, under } => {
-                (0..DROPS).map(scattered).filter(|(x, y)| drop_cutter(mesh, under, *x, *y).is_some()).count()
-            }
-            Task::Model => {
-                let cases = strips::cases();
+            Task::Drops { mesh, under } => (0..DROPS)
+                .map(places::scattered)
+                .filter(|(x, y)| drop_cutter(mesh, under, *x, *y).is_some())
+                .count(),
+            Task::Model { cases } => {
                 // Counted whether there is a strip or not: both have to be found out.
                 let found =
                     cases.iter().filter(|(c, p, k)| model_strip(c, *p, k, 0.01).half_widths().is_some());
@@ -102,10 +103,4 @@ impl Work {
         };
         u32::try_from(count).unwrap_or(u32::MAX)
     }
-}
-
-/// Evenly spread over the inner 95 mm, each far from the one before (Kronecker's sequence on the plastic number).
-fn scattered(i: usize) -> (f64, f64) {
-    let at = |step: f64| -47.5 + 95.0 * (i as f64 * step).fract();
-    (at(0.754_877_666_246_693), at(0.569_840_290_998_053_3))
 }

@@ -18,7 +18,10 @@ impl DropMesh {
         self.tree.highest(f64::NEG_INFINITY, bound, |places, mut best| {
             for place in places {
                 let facet = &self.facets[place];
-                let Some(gradient) = facet.gradient.filter(|_| holds(&facet.corners, at)) else { continue };
+                if !holds(&facet.corners, at) {
+                    continue;
+                }
+                let Some(gradient) = facet.gradient() else { continue };
                 let z = facet.corners[0].z + gradient.dot(at - facet.corners[0].truncate());
                 if z > best {
                     best = z;

@@ -18,7 +18,7 @@ pub struct Underside {
     pub(super) end: f64,
     /// Distance of the corner's centre from the axis.
     pub(super) center_radius: f64,
-    center_height: f64,
+    pub(super) center_height: f64,
     /// Radius of the corner.
     pub(super) corner: f64,
     /// Slope of the bottom line.
@@ -26,7 +26,14 @@ pub struct Underside {
     /// Slope of the side line; infinite unless the side widens upwards.
     pub(super) side: f64,
     end_height: f64,
+    /// Steepest slope at which tangents are taken, and the radius where the corner has it.
+    pub(super) steepest: f64,
+    pub(super) tangent_end: f64,
 }
+
+/// The underside's tangent is taken no steeper than this: towards the rim it would become infinite, and with it the
+/// bound over a rectangle that reaches across the rim.
+const STEEPEST: f64 = 4.0;
 
 impl Underside {
     /// The underside of `cutter`.
@@ -34,6 +41,8 @@ impl Underside {
         let (end, end_height) = cutter.corner_end();
         let widens = cutter.taper > 0.0;
         let reach = cutter.largest_radius();
+        let side = if widens { 1.0 / libm::tan(cutter.taper) } else { f64::INFINITY };
+        let steepest = STEEPEST.min(side);
         Self {
             reach,
             start: cutter.corner_start().0.min(reach),
@@ -42,8 +51,11 @@ impl Underside {
             center_height: cutter.center_height,
             corner: cutter.corner_radius,
             bottom: libm::tan(cutter.bottom_angle),
-            side: if widens { 1.0 / libm::tan(cutter.taper) } else { f64::INFINITY },
+            side,
             end_height,
+            steepest,
+            tangent_end: cutter.center_radius
+                + cutter.corner_radius * steepest / (1.0 + steepest * steepest).sqrt(),
         }
     }
 
