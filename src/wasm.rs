@@ -3,8 +3,7 @@
 //! Specifications, reports and lists travel as JSON text, geometry as flat typed arrays. Errors are thrown as a string
 //! that holds JSON `{code, message, field?}`.
 
-use crate::geometry::Zone;
-use crate::job::{self, JobError, Picture, Plan, Proof, Spec};
+use crate::job::{self, Cubes, JobError, Picture, Plan, Proof, Spec};
 use crate::monitor::{Monitor, Stage};
 use crate::toolpath::{Rate, Role};
 use js_sys::{Float32Array, Function, Uint32Array};
@@ -105,23 +104,19 @@ impl Preview {
     }
 }
 
-/// More cubes than this only fill a screen.
-const MOST_CUBES: usize = 60_000;
-
 /// A zone to draw.
 #[wasm_bindgen]
-pub struct Cubes(Zone);
+pub struct Blocks(Cubes);
 
 #[wasm_bindgen]
-impl Cubes {
+impl Blocks {
     /// x, y, z of each cube's middle, mm.
     pub fn centers(&self) -> Float32Array {
-        let flat: Vec<f32> = self.0.centers().flat_map(|p| p.as_vec3().to_array()).collect();
-        Float32Array::from(&flat[..])
+        Float32Array::from(&self.0.centers[..])
     }
     /// Edge of the cubes, mm.
     pub fn edge(&self) -> f64 {
-        self.0.cell()
+        self.0.edge
     }
 }
 
@@ -187,8 +182,8 @@ impl Outcome {
     }
 
     /// What the cutter cannot reach.
-    pub fn unreached(&self) -> Cubes {
-        Cubes(self.plan.unreached().in_cubes(MOST_CUBES))
+    pub fn unreached(&self) -> Blocks {
+        Blocks(Cubes::of(self.plan.unreached()))
     }
 
     /// The shape with its excess; nothing before the proof.

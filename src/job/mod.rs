@@ -1,5 +1,6 @@
 //! A job from its specification to its result: the one way in for the page and for the command line.
 
+mod cubes;
 mod error;
 mod fields;
 mod gallery;
@@ -14,6 +15,7 @@ mod spec;
 mod tool;
 mod verify_text;
 
+pub use cubes::Cubes;
 pub use error::{JobError, error_json};
 pub use fields::{Field, GROUPS, Group, Kind, Variant};
 pub use gallery::{Example, gallery, gallery_json};
