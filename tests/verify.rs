@@ -421,6 +421,16 @@ fn what_is_out_of_reach_is_uncut_and_what_is_excluded_is_apart() {
     assert!((rest.excluded_area - zone.area()).abs() < 1e-9);
     assert!((rest.area + rest.excluded_area - open.area).abs() < 1e-9);
     assert!(rest.max.unwrap().excess < 0.01);
+    assert_eq!(rest.excluded_gouge, None);
+    // A gouge in the zone is told apart.
+    let mut dips = path.clone();
+    let mut dip = *dips.moves.last().unwrap();
+    dip.to.tip = glam::DVec3::new(8.0, 4.0, -0.02);
+    dips.moves.push(dip);
+    let dug = judge(&cutter, &dips, &samples, &Options { excluded: Some(&zone), ..options }).statistics;
+    let deepest = dug.excluded_gouge.unwrap();
+    assert!((deepest.excess + 0.02).abs() < 1e-6 && deepest.point.distance(dip.to.tip) < 0.03, "{deepest:?}");
+    assert!(dug.min.unwrap().excess > -0.02);
 }
 
 #[test]

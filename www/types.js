@@ -24,7 +24,8 @@
  * @typedef {{ largest_excess_mm: number | null, largest_excess_at: number[] | null,
  *   largest_gouge_mm: number | null, largest_gouge_at: number[] | null, sampling_error_mm: number | null,
  *   median_mm: number | null, q95_mm: number | null, q99_mm: number | null, share_within: number,
- *   uncut_area_mm2: number, samples: number, excluded_area_mm2: number }} Verified
+ *   uncut_area_mm2: number, samples: number, excluded_area_mm2: number,
+ *   excluded_gouge_mm: number }} Verified
  * A gouge is 0 or negative; what is `null` has no bound, or was not cut.
  *
  * @typedef {{ report: Report, seconds: number, proofSeconds: number | null, path: Float32Array,

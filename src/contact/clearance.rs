@@ -2,7 +2,7 @@
 
 use super::body::Body;
 use crate::cutter::Cutter;
-use crate::geometry::{Face, FaceGrid, Uv};
+use crate::geometry::{Domain, Face, FaceGrid, Uv};
 use crate::math::frame::Frame;
 use crate::toolpath::ClPoint;
 use glam::DVec3;
@@ -31,6 +31,9 @@ struct Block {
 const RINGS: [f64; 6] = [0.04, 0.1, 0.22, 0.45, 0.8, 1.4];
 /// Points on each: along and across the feed and between.
 const SPOKES: usize = 8;
+
+/// The least part of a step beside a contact.
+const SHORTEST: f64 = 1e-3;
 
 /// Nodes a side of a small block, and small blocks a side of a large one: an 8 × 8 × 8 × 8 tree holds a 64 × 64 grid.
 const SIDE: usize = 8;
@@ -63,19 +66,19 @@ impl FaceObstacle {
 
     /// How deep the cutter at `cl` reaches into the face beyond the neighbourhood of its contact, mm: 0 or negative.
     ///
-    /// The neighbourhood is one and a half cells around `contact`; there the strip tells (see
-    /// [`super::face_strip`]). Depths are found to about a hundredth of the cell's own sag. What is deeper than
+    /// The neighbourhood is one and a half cells around `contact`; there only samples deeper than `enough` tell, and the
+    /// rest is for [`FaceObstacle::depth_beside`]. Depths are found to about a hundredth of the cell's own sag. What is deeper than
     /// `enough` (mm, negative) is not followed further down.
     pub fn depth(&self, cutter: &Cutter, cl: &ClPoint, contact: DVec3, enough: f64) -> f64 {
         let body = Body::new(cutter, cl);
         let margin = self.margin(cutter);
         let mut deepest = 0.0f64;
         for (i, j, here) in self.nearer(&body, margin) {
-            if self.grid.point(i, j).distance_squared(contact) < 2.25 * self.cell * self.cell {
-                continue;
-            }
             if here < enough {
                 return here;
+            }
+            if self.grid.point(i, j).distance_squared(contact) < 2.25 * self.cell * self.cell {
+                continue;
             }
             if self.is_lowest(&body, i, j, here) {
                 deepest = deepest.min(self.descend_from(&body, i, j, here, contact));
@@ -136,9 +139,9 @@ impl FaceObstacle {
                 // Every other ring looks between the spokes of the last.
                 let turn = (k as f64 + 0.5 * (ring % 2) as f64) / SPOKES as f64;
                 let (s, c) = libm::sincos(std::f64::consts::TAU * turn);
-                let Some((du, dv)) = jet.pull_back((frame.f * c + frame.b * s) * radius) else { continue };
-                let beside = domain.clamp(Uv::new(uv.u + du, uv.v + dv));
-                let here = body.distance(self.face.surface.point(beside));
+                let Some(step) = jet.pull_back((frame.f * c + frame.b * s) * radius) else { continue };
+                let (beside, point) = self.beside(&domain, jet.p, uv, step, radius);
+                let here = body.distance(point);
                 if lowest.is_none_or(|(low, _)| here < low) {
                     lowest = Some((here, beside));
                 }
@@ -150,6 +153,20 @@ impl FaceObstacle {
             }
         }
         deepest
+    }
+
+    /// The point one `step` of parameters beside `uv`, where the face's point is `p`. Near a border that all but shrinks to
+    /// a point the step leads anywhere: then a shorter one that does not go farther than `radius` by much.
+    fn beside(&self, domain: &Domain, p: DVec3, uv: Uv, step: (f64, f64), radius: f64) -> (Uv, DVec3) {
+        let mut share = 1.0;
+        loop {
+            let beside = domain.clamp(Uv::new(uv.u + share * step.0, uv.v + share * step.1));
+            let point = self.face.surface.point(beside);
+            if share < SHORTEST || point.distance_squared(p) < 4.0 * radius * radius {
+                return (beside, point);
+            }
+            share *= 0.5;
+        }
     }
 
     /// Whether no neighbour of the node is nearer to the cutter.

@@ -84,6 +84,8 @@ pub struct Verified {
     pub samples: usize,
     /// Area left out because the cutter cannot reach it.
     pub excluded_area_mm2: f64,
+    /// The deepest gouge met there, 0 or negative.
+    pub excluded_gouge_mm: f64,
 }
 
 impl Report {
@@ -121,6 +123,7 @@ impl From<&Statistics> for Verified {
             uncut_area_mm2: s.uncut_area,
             samples: s.count + s.refined,
             excluded_area_mm2: s.excluded_area,
+            excluded_gouge_mm: value(&s.excluded_gouge).unwrap_or(0.0),
         }
     }
 }

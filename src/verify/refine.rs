@@ -145,13 +145,13 @@ impl<'a> Field<'a> {
         Ok(Searched { best: Some(best), error: if reached { error.min(search.tolerance) } else { error } })
     }
 
-    /// Whether the sample was reached, and is judged; gouges are judged everywhere.
-    fn counts(&self, sense: Sense, i: usize) -> bool {
-        self.hits[i].t.is_finite() && (self.judged[i] || sense == Sense::Gouge)
+    /// Whether the sample was reached, and is judged.
+    fn counts(&self, i: usize) -> bool {
+        self.hits[i].t.is_finite() && self.judged[i]
     }
 
     fn best(&self, sense: Sense, from: usize, before: Option<(f64, usize)>) -> Option<(f64, usize)> {
-        (from..self.samples.len()).filter(|&i| self.counts(sense, i)).fold(before, |best, i| {
+        (from..self.samples.len()).filter(|&i| self.counts(i)).fold(before, |best, i| {
             let value = sense.value(self.hits[i].t);
             if best.is_some_and(|(most, _)| most >= value) { best } else { Some((value, i)) }
         })
@@ -160,7 +160,7 @@ impl<'a> Field<'a> {
     /// The bound over a triangle; minus infinite if a corner was never reached or is excluded: such are not judged.
     fn bound(&self, sense: Sense, scene: &Scene, triangle: [u32; 3]) -> f64 {
         let corners = triangle.map(|i| i as usize);
-        if !corners.iter().all(|&i| self.counts(sense, i)) {
+        if !corners.iter().all(|&i| self.counts(i)) {
             return f64::NEG_INFINITY;
         }
         let samples = corners.map(|i| &self.samples[i]);

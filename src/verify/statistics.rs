@@ -28,9 +28,10 @@ pub struct Statistics {
     pub uncut_area: f64,
     /// The largest excess met where anything was cut; `None` if nothing was.
     pub max: Option<Extreme>,
-    /// The least excess met, in the excluded zone too: the deepest gouge if negative. At the depth searched it may be deeper
-    /// still.
+    /// The least excess met: the deepest gouge if negative. At the depth searched it may be deeper still.
     pub min: Option<Extreme>,
+    /// The deepest gouge that a sample in the excluded zone met, if any did: not looked for between the samples.
+    pub excluded_gouge: Option<Extreme>,
     /// How much the true largest excess can exceed [`Statistics::max`] between the samples; infinite for a cutter
     /// without a corner radius, and where the surface bends too wildly between samples for any bound.
     pub excess_error: f64,

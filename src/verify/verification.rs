@@ -29,7 +29,7 @@ pub struct Options<'a> {
     pub sampling_tolerance: f64,
     /// Samples that may be added to reach it, for either extreme. With 0 the errors are not looked into, only bounded in haste.
     pub most_refined: usize,
-    /// A part of the surface that the path is not asked to cut: there only gouges are looked for.
+    /// A part of the surface that the path is not asked to cut: there only gouges are looked for, and kept apart.
     pub excluded: Option<&'a Zone>,
 }
 
@@ -183,9 +183,13 @@ fn summarise(
 ) -> Statistics {
     let mut weighted: Vec<(f64, f64)> = Vec::with_capacity(excess.len());
     let mut excluded_area = 0.0;
-    for ((t, weight), out) in excess.iter().zip(&samples.areas).zip(excluded) {
+    let mut excluded_gouge: Option<Extreme> = None;
+    for (((t, weight), out), sample) in excess.iter().zip(&samples.areas).zip(excluded).zip(&samples.samples) {
         if *out {
             excluded_area += weight;
+            if *t < excluded_gouge.map_or(0.0, |deepest| deepest.excess) {
+                excluded_gouge = Some(Extreme { excess: *t, point: sample.point });
+            }
         } else {
             weighted.push((*t, *weight));
         }
@@ -209,6 +213,7 @@ fn summarise(
         uncut_area,
         max: extreme(max),
         min: extreme(min),
+        excluded_gouge,
         excess_error: max.error,
         gouge_error: min.error,
         median,

@@ -138,13 +138,11 @@ for (const { name, isSurface, side, unit, settings } of FILES) {
     expect(await read('samples')).toBeGreaterThan(10_000);
     expect(await read('unreachable')).toBeGreaterThanOrEqual(0);
     expect(await read('unreachable')).toBeLessThan(await read('area'));
-    if (isSurface) {
-      const [, scallop] = settings.find(([path]) => path === 'tolerance.scallop_mm');
-      const micrometres = 1000 * scallop + (await read('error'));
-      expect.soft(await read('excess'), 'largest excess').toBeLessThanOrEqual(micrometres);
-      expect.soft(await read('gouge'), 'largest gouge').toBeGreaterThanOrEqual(-1);
-      await expect.soft(page.locator('[data-figure=uncut]')).toHaveCount(0);
-    }
+    const [, scallop] = settings.find(([path]) => path === 'tolerance.scallop_mm');
+    const micrometres = 1000 * scallop + (await read('error'));
+    expect.soft(await read('excess'), 'largest excess').toBeLessThanOrEqual(micrometres);
+    expect.soft(await read('gouge'), 'largest gouge').toBeGreaterThanOrEqual(-1);
+    await expect.soft(page.locator('[data-figure=uncut]')).toHaveCount(0);
 
     const [download] = await Promise.all([
       page.waitForEvent('download'),

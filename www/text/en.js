@@ -131,6 +131,7 @@ export default {
   'results.unknown': 'no bound',
   'results.uncut': 'Left uncut',
   'results.excluded': 'Left out of the proof',
+  'results.excludedGouge': 'Deepest gouge there',
   'results.links': 'Links at feed',
   'results.rapids': 'Rapids',
   'results.points': 'Path points',

@@ -132,6 +132,8 @@ function proofRows(v) {
   if (v.uncut_area_mm2 > 0) rows.push(['uncut', t('results.uncut'), format.area(v.uncut_area_mm2)]);
   if (v.excluded_area_mm2 > 0)
     rows.push(['excluded', t('results.excluded'), format.area(v.excluded_area_mm2)]);
+  if (v.excluded_gouge_mm < 0)
+    rows.push(['excluded-gouge', t('results.excludedGouge'), format.micron(v.excluded_gouge_mm)]);
   return rows;
 }
 
