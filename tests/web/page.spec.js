@@ -68,7 +68,6 @@ test('every surface of the gallery is planned and proven within its tolerance', 
 const FILES = [
   {
     name: 'bladex_lower.iges',
-    isSurface: true,
     side: 'Back',
     settings: [
       ['cutter.corner_radius_mm', 1.5],
@@ -79,7 +78,6 @@ const FILES = [
   },
   {
     name: 'mt_bruno_elevation.csv',
-    isSurface: true,
     unit: 'mm',
     settings: [
       ['cutter.kind', 'ball'],
@@ -91,7 +89,6 @@ const FILES = [
   },
   {
     name: 'terrain_small.stl',
-    isSurface: false,
     unit: 'mm',
     settings: [
       ['cutter.kind', 'ball'],
@@ -103,7 +100,7 @@ const FILES = [
   },
 ];
 
-for (const { name, isSurface, side, unit, settings } of FILES) {
+for (const { name, side, unit, settings } of FILES) {
   test(`${name}: dropped, planned with progress, proven, saved`, async ({ page }) => {
     test.setTimeout(600_000);
     await visit(page);
