@@ -184,7 +184,8 @@ fn summarise(
     let mut weighted: Vec<(f64, f64)> = Vec::with_capacity(excess.len());
     let mut excluded_area = 0.0;
     let mut excluded_gouge: Option<Extreme> = None;
-    for (((t, weight), out), sample) in excess.iter().zip(&samples.areas).zip(excluded).zip(&samples.samples) {
+    for (((t, weight), out), sample) in excess.iter().zip(&samples.areas).zip(excluded).zip(&samples.samples)
+    {
         if *out {
             excluded_area += weight;
             if *t < excluded_gouge.map_or(0.0, |deepest| deepest.excess) {
