@@ -7,6 +7,7 @@ use stepover::contact::{
     Lean, circle_stepover, effective_radius, matching_lead, straight_strip, two_contact, widest_two_contact,
 };
 use stepover::cutter::Cutter;
+use stepover::job::{Spec, TwoPasses, cut_two_passes, stepover_chart};
 
 fn mill(center_radius: f64, corner_radius: f64) -> Cutter {
     Cutter::bull_nose(2.0 * (center_radius + corner_radius), corner_radius, 40.0).unwrap()
@@ -124,4 +125,100 @@ fn two_contacts_are_wider_than_curvature_match() {
     assert_near(first.lead.to_degrees(), 10.49, 0.02, "lead");
     let matching = matching_lead(&mill(9.5, 3.0), 1.0 / 50.0).unwrap();
     assert_near(matching.to_degrees(), 11.66, 0.005, "matching lead");
+}
+
+/// Cuts two passes and checks that nothing is gouged and that the bound on what was found is tight.
+fn cut(cutter: &Cutter, lean: Lean, curvature: f64, stepover: f64, lift: f64, scallop: f64) -> f64 {
+    let TwoPasses { scallop: found, gouge, error } =
+        cut_two_passes(cutter, lean, curvature, stepover, lift, scallop).unwrap();
+    assert!(error <= 1e-3 * scallop && gouge > -1e-4, "{lean:?} {curvature}: {gouge} {error}");
+    found
+}
+
+#[test]
+fn twelve_cuts_leave_the_scallop() {
+    // The published test cuts: R1 = 1, r = 2, h = 0.5, four leads over a plane and, for want of published radii, cylinders
+    // of 30 mm.
+    let cutter = mill(1.0, 2.0);
+    for curvature in [0.0, -1.0 / 30.0, 1.0 / 30.0] {
+        for tilt in [0.0, 15.0, 30.0, 45.0] {
+            // Flat in a hollow the cutter stands on both sides of its bottom.
+            let strip = straight_strip(&cutter, lead(tilt), curvature, 0.5)
+                .or_else(|| Some(two_contact(&cutter, 0.0, curvature, 0.5)?.strip))
+                .unwrap();
+            assert_eq!(strip.lift > 0.0, tilt == 0.0 && curvature > 0.0);
+            let found = cut(&cutter, lead(tilt), curvature, strip.stepover, strip.lift, 0.5);
+            assert_near(found, 0.5, 0.005, &format!("curvature {curvature}, {tilt}°"));
+        }
+    }
+}
+
+#[test]
+fn circle_model_leaves_more() {
+    let cutter = mill(1.0, 2.0);
+    for (tilt, left) in [(15.0, 0.767), (30.0, 0.554), (45.0, 0.5175)] {
+        let stepover = circle_stepover(&cutter, lead(tilt), 0.0, 0.5).unwrap();
+        let found = cut(&cutter, lead(tilt), 0.0, stepover, 0.0, 0.5);
+        assert_near(found, left, 0.001, &format!("plane, {tilt}°"));
+    }
+}
+
+#[test]
+fn lateral_cuts_leave_the_scallop() {
+    // Corner with corner, with the bottom, with the far corner, side with bottom; planes and cylinders.
+    let cutter = mill(1.0, 2.0);
+    for (tilt, h, curvature) in [
+        (45.0, 0.5, 0.0),
+        (20.0, 0.5, 0.0),
+        (10.0, 0.8, 0.0),
+        (65.0, 0.5, 0.0),
+        (20.0, 0.5, 1.0 / 30.0),
+        (20.0, 0.5, -1.0 / 30.0),
+        (10.0, 0.8, -1.0 / 30.0),
+        (65.0, 0.5, 1.0 / 30.0),
+    ] {
+        let stepover = exact(&cutter, lateral(tilt), curvature, h);
+        let found = cut(&cutter, lateral(tilt), curvature, stepover, 0.0, h);
+        assert_near(found, h, 0.01 * h, &format!("curvature {curvature}, {tilt}°, h {h}"));
+    }
+}
+
+#[test]
+fn two_contacts_leave_the_scallop_and_gouge_nothing() {
+    let (cutter, k, h) = (mill(9.5, 3.0), 1.0 / 50.0, 0.01);
+    let two = widest_two_contact(&cutter, k, h).unwrap();
+    let found =
+        cut_two_passes(&cutter, Lean::Lead(two.lead), k, two.strip.stepover, two.strip.lift, h).unwrap();
+    assert_near(found.scallop, h, 1e-4, "scallop");
+    assert!(found.gouge > -2e-5, "{found:?}");
+    // Without the lift both sides dig in.
+    let sunk = cut_two_passes(&cutter, Lean::Lead(two.lead), k, two.strip.stepover, 0.0, h).unwrap();
+    assert_near(sunk.gouge, -two.strip.lift, 1e-3, "gouge");
+}
+
+#[test]
+fn chart_holds_the_curves() {
+    let spec = r#"{"version": 1, "source": {"kind": "plane", "size_mm": [1, 1]},
+        "cutter": {"kind": "bull_nose", "diameter_mm": 10, "corner_radius_mm": 2}, "tolerance": {"scallop_mm": 0.01}}"#;
+    let spec = Spec::from_json(spec).unwrap();
+    let chart = stepover_chart(&spec, &[0.0, 50.0, -50.0]).unwrap();
+    for (curves, radius) in chart.curves.iter().zip([None, Some(50.0), Some(-50.0)]) {
+        assert_eq!(curves.radius_mm, radius);
+        assert_eq!(curves.tilt_deg.last(), Some(&60.0));
+        assert!(curves.tilt_deg.is_sorted());
+        for values in [&curves.circle_mm, &curves.lead_mm, &curves.lateral_mm, &curves.two_contact_mm] {
+            assert_eq!(values.len(), curves.tilt_deg.len());
+        }
+        // Every lead is exact from the match on; two contacts end where one begins.
+        let matching = curves.matching_deg.unwrap();
+        for (i, tilt) in curves.tilt_deg.iter().enumerate() {
+            assert_eq!(curves.lead_mm[i].is_some(), *tilt >= matching, "{radius:?} {tilt}");
+            if let Some(two) = curves.two_contact_mm[i] {
+                let widest = curves.widest.unwrap();
+                assert!(*tilt <= matching && *tilt >= widest.lead_deg && two <= widest.stepover_mm);
+            }
+        }
+    }
+    assert!(chart.curves[1].widest.is_some() && chart.curves[2].widest.is_none());
+    assert!(stepover_chart(&spec, &[f64::NAN]).is_err());
 }

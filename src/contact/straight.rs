@@ -54,13 +54,15 @@ impl StraightStrip {
 ///
 /// By lead the edges are those of the corner's envelope; by lateral tilt those of bottom, corners and side, which here
 /// are their own envelope. `None` where the cutter gouges beside its contact (on a concave section the lead is below
-/// [`super::matching_lead`], or the tilted bottom is longer than the hollow is wide), or where no edge is found below the
-/// widest place of the cutter.
+/// [`super::matching_lead`], or the tilted bottom is longer than the hollow is wide; a conical bottom leans less than it
+/// rises), where no edge is found below the widest place of the cutter, and for a lateral tilt of a cutter that is not a
+/// bull-nose, ball or flat mill.
 pub fn straight_strip(cutter: &Cutter, lean: Lean, curvature: f64, scallop: f64) -> Option<StraightStrip> {
     let section = Section { curvature, scallop };
     match lean {
         Lean::Lead(lead) => {
-            if curvature > 0.0 && lead < super::matching_lead(cutter, curvature)? {
+            let gouges = lead < super::matching_lead(cutter, curvature)? || lead < cutter.bottom_angle;
+            if gouges {
                 return None;
             }
             section.by_lead(cutter, lead, 0.0, 0.0)
@@ -117,6 +119,9 @@ impl Section {
     }
 
     fn by_lateral_tilt(&self, cutter: &Cutter, tilt: f64) -> Option<StraightStrip> {
+        if cutter.bottom_angle != 0.0 || cutter.taper != 0.0 {
+            return None;
+        }
         let (bottom, r) = (2.0 * cutter.center_radius, cutter.corner_radius);
         let (s, c) = libm::sincos(tilt);
         let far = (bottom * c, r + bottom * s);
@@ -126,8 +131,11 @@ impl Section {
         }
         let corner = |angle: f64| (r * libm::sin(angle), r * (1.0 - libm::cos(angle)));
         let side = |w: f64| (r * c + w * s, r * (1.0 - s) + w * c);
-        let left =
-            self.edge(0.0, FRAC_PI_2 - tilt, corner).or_else(|| self.edge(0.0, cutter.height - r, side))?;
+        // In a hollow the side is highest where it passes the centre, and beyond comes down to the other wall.
+        let room = 1.0 / self.curvature - r;
+        let length = cutter.height - r;
+        let length = if self.curvature > 0.0 { length.min(room * c) } else { length };
+        let left = self.edge(0.0, FRAC_PI_2 - tilt, corner).or_else(|| self.edge(0.0, length, side))?;
         let ground = |w: f64| (r * s + w * c, r * (1.0 - c) + w * s);
         let far_corner = |angle: f64| {
             let (y, z) = corner(angle);

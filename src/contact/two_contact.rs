@@ -33,11 +33,11 @@ pub struct TwoContact {
 /// The strip within `scallop` (mm) with `lead` (radians, from 0 to [`matching_lead`]), lifted until both sides touch a
 /// section of this `curvature` (1/mm) and nothing digs in.
 ///
-/// `None` on planes and convex sections, in a hollow too narrow, for a lead above the matching one (one contact will do),
-/// and where the lift exceeds the scallop.
+/// `None` on planes and convex sections, in a hollow too narrow, for a lead above the matching one (one contact will do)
+/// or below the bottom's own angle, and where the lift exceeds the scallop.
 pub fn two_contact(cutter: &Cutter, lead: f64, curvature: f64, scallop: f64) -> Option<TwoContact> {
     let matching = matching_lead(cutter, curvature)?;
-    if curvature <= 0.0 || !(0.0..=matching).contains(&lead) {
+    if curvature <= 0.0 || !(cutter.bottom_angle..=matching).contains(&lead) {
         return None;
     }
     let (r1, room) = (cutter.center_radius, 1.0 / curvature - cutter.corner_radius);
@@ -55,12 +55,12 @@ pub fn two_contact(cutter: &Cutter, lead: f64, curvature: f64, scallop: f64) -> 
 }
 
 /// The widest strip with two contacts: the less the lead the wider, so the least lead at which the middle stays within
-/// `scallop` (mm), `λm − arccos(1 − h/K)`, or 0. `None` as for [`two_contact`].
+/// `scallop` (mm), `λm − arccos(1 − h/K)`, or else 0. `None` as for [`two_contact`].
 pub fn widest_two_contact(cutter: &Cutter, curvature: f64, scallop: f64) -> Option<TwoContact> {
     let matching = matching_lead(cutter, curvature)?;
     let room = 1.0 / curvature - cutter.corner_radius;
     let turn = libm::acos((1.0 - scallop / room).max(-1.0));
-    two_contact(cutter, (matching - turn).max(0.0), curvature, scallop)
+    two_contact(cutter, (matching - turn).max(cutter.bottom_angle), curvature, scallop)
 }
 
 /// `1 − cos x` without cancellation.
