@@ -181,6 +181,15 @@ fn lateral_cuts_leave_the_scallop() {
         let found = cut(&cutter, lateral(tilt), curvature, stepover, 0.0, h);
         assert_near(found, h, 0.01 * h, &format!("curvature {curvature}, {tilt}°, h {h}"));
     }
+    // In a hollow a bottom nearly as flat as the chord under it is within the limit as a whole, until its middle is not.
+    let cutter = mill(2.0, 2.0);
+    let [flat, steep] = [2.5, 3.5].map(|tilt| {
+        let stepover = exact(&cutter, lateral(tilt), 1.0 / 50.0, 0.05);
+        let found = cut(&cutter, lateral(tilt), 1.0 / 50.0, stepover, 0.0, 0.05);
+        assert_near(found, 0.05, 0.0005, &format!("{tilt}°"));
+        stepover
+    });
+    assert!(flat > 4.0 && steep < 2.0, "{flat} {steep}");
 }
 
 #[test]

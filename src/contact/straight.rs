@@ -131,11 +131,13 @@ impl Section {
         }
         let corner = |angle: f64| (r * libm::sin(angle), r * (1.0 - libm::cos(angle)));
         let side = |w: f64| (r * c + w * s, r * (1.0 - s) + w * c);
-        // In a hollow the side is highest where it passes the centre, and beyond comes down to the other wall.
+        // In a hollow a straight line is highest where it passes the centre: the first edge lies before.
         let room = 1.0 / self.curvature - r;
-        let length = cutter.height - r;
-        let length = if self.curvature > 0.0 { length.min(room * c) } else { length };
-        let left = self.edge(0.0, FRAC_PI_2 - tilt, corner).or_else(|| self.edge(0.0, length, side))?;
+        let before =
+            |length: f64, middle: f64| if self.curvature > 0.0 { length.min(middle) } else { length };
+        let left = self
+            .edge(0.0, FRAC_PI_2 - tilt, corner)
+            .or_else(|| self.edge(0.0, before(cutter.height - r, room * c), side))?;
         let ground = |w: f64| (r * s + w * c, r * (1.0 - c) + w * s);
         let far_corner = |angle: f64| {
             let (y, z) = corner(angle);
@@ -143,7 +145,7 @@ impl Section {
         };
         let right = self
             .edge(0.0, tilt, corner)
-            .or_else(|| self.edge(0.0, bottom, ground))
+            .or_else(|| self.edge(0.0, before(bottom, room * s), ground))
             .or_else(|| self.edge(tilt, FRAC_PI_2, far_corner))?;
         Some(StraightStrip::new(left, right, self.curvature, 0.0))
     }
