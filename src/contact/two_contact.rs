@@ -33,21 +33,21 @@ pub struct TwoContact {
 /// The strip within `scallop` (mm) with `lead` (radians, from 0 to [`matching_lead`]), lifted until both sides touch a
 /// section of this `curvature` (1/mm) and nothing digs in.
 ///
-/// `None` on planes and convex sections, in a hollow too narrow, for a lead above the matching one (one contact will do)
+/// `None` for a ball, on planes and convex sections, in a hollow too narrow, for a lead above the matching one (one contact will do)
 /// or below the bottom's own angle, and where the lift exceeds the scallop.
 pub fn two_contact(cutter: &Cutter, lead: f64, curvature: f64, scallop: f64) -> Option<TwoContact> {
     let matching = matching_lead(cutter, curvature)?;
-    if curvature <= 0.0 || !(cutter.bottom_angle..=matching).contains(&lead) {
+    let (r1, room) = (cutter.center_radius, 1.0 / curvature - cutter.corner_radius);
+    if r1 == 0.0 || curvature <= 0.0 || !(cutter.bottom_angle..=matching).contains(&lead) {
         return None;
     }
-    let (r1, room) = (cutter.center_radius, 1.0 / curvature - cutter.corner_radius);
     let lift = room * one_less_cosine(matching - lead);
     // The widest placement lifts by just the scallop.
     if lift > scallop * (1.0 + 1e-9) {
         return None;
     }
     let (s, c) = libm::sincos(lead);
-    let cosine = if r1 > 0.0 { (room * room - r1 * r1).sqrt() * s / (r1 * c) } else { 1.0 };
+    let cosine = (room * room - r1 * r1).sqrt() * s / (r1 * c);
     let contact = libm::acos(cosine.min(1.0));
     // Half way to the contacts the cutter is lower than in the middle, and no edge lies before them.
     let strip = Section { curvature, scallop }.by_lead(cutter, lead, lift, 0.5 * contact)?;
@@ -59,7 +59,8 @@ pub fn two_contact(cutter: &Cutter, lead: f64, curvature: f64, scallop: f64) -> 
 pub fn widest_two_contact(cutter: &Cutter, curvature: f64, scallop: f64) -> Option<TwoContact> {
     let matching = matching_lead(cutter, curvature)?;
     let room = 1.0 / curvature - cutter.corner_radius;
-    let turn = libm::acos((1.0 - scallop / room).max(-1.0));
+    // The arccosine in a form that is good for small angles.
+    let turn = 2.0 * libm::asin((0.5 * scallop / room).sqrt().min(1.0));
     two_contact(cutter, (matching - turn).max(cutter.bottom_angle), curvature, scallop)
 }
 
@@ -95,6 +96,8 @@ mod tests {
             assert!(best.lead == 0.0 || (best.strip.lift / h - 1.0).abs() < 1e-9, "{best:?}");
             assert!(two_contact(&cutter, matching + 1e-3, 1.0 / ra, h).is_none());
         }
+        assert!(widest_two_contact(&mill(9.5, 3.0), 1e-5, 1e-4).is_some());
+        assert!(widest_two_contact(&mill(0.0, 5.0), 0.02, 0.01).is_none());
         assert!(widest_two_contact(&mill(9.5, 3.0), 0.0, 0.01).is_none());
         assert!(widest_two_contact(&mill(9.5, 3.0), -0.02, 0.01).is_none());
         assert!(widest_two_contact(&mill(9.5, 3.0), 0.09, 0.01).is_none());

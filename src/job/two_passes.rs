@@ -30,8 +30,8 @@ const SAMPLES: f64 = 60.0;
 /// Cuts a face of this `curvature` across the feed (1/mm, above 0 where concave, 0 for a plane) with two straight passes
 /// `stepover` mm apart (the chord) that stand `lift` mm off it, and measures what they leave between them.
 ///
-/// The passes are written as APT text and read back; `expected` (mm, above 0) sets how closely and how high above the
-/// face is looked: up to five times of it. Errors: a stepover that does not fit onto the face, nothing cut that low.
+/// The passes are written as APT text and read back; `expected` (mm, above 0) sets how closely is looked: to a thousandth
+/// of it. Errors: a stepover that does not fit onto the face, or one so wide that more than the cutter's radius is left.
 pub fn cut_two_passes(
     cutter: &Cutter,
     lean: Lean,
@@ -54,8 +54,11 @@ pub fn cut_two_passes(
         post::apt::read(&text).map_err(|e| JobError::Post(format!("the program does not read back: {e}")))?;
     let samples =
         Samples::of_face(&strip.face, stepover / SAMPLES).map_err(|e| JobError::Post(e.to_string()))?;
-    let options =
-        Options { sampling_tolerance: ACCURACY * expected, ..Options::for_height(expected, &program.cutter) };
+    let options = Options {
+        sampling_tolerance: ACCURACY * expected,
+        search: cutter.largest_radius().max(expected),
+        ..Options::for_height(expected, &program.cutter)
+    };
     let found = verify(&program.cutter, &program.toolpath, &samples, &options, &Stage::silent())?.statistics;
     match (found.max, found.min) {
         (Some(max), Some(min)) if max.excess.is_finite() => {
