@@ -80,6 +80,14 @@ pub fn outline(spec: &str) -> Result<Float32Array, JsValue> {
     Ok(Float32Array::from(&outline[..]))
 }
 
+/// Curves of stepover against tilt for the cutter and scallop height of a specification, as JSON: one set for each radius
+/// of the surface across the feed (mm, above 0 where concave, 0 for a plane).
+#[wasm_bindgen]
+pub fn stepover(spec: &str, radii: &[f64]) -> Result<String, JsValue> {
+    let chart = Spec::from_json(spec).and_then(|spec| job::stepover_chart(&spec, radii));
+    chart.map(|chart| chart.to_json()).map_err(thrown)
+}
+
 /// A shape to draw.
 #[wasm_bindgen]
 pub struct Preview(Picture);

@@ -12,6 +12,7 @@ import { withFittingVariants, withVariant, write } from './spec.js';
 import { createState } from './state.js';
 import { t } from './text/index.js';
 import { createAction } from './view/action.js';
+import { createStepoverChart } from './view/chart-stepover.js';
 import { attribute, h, icon } from './view/dom.js';
 import { createDownloads } from './view/downloads.js';
 import { createLegend } from './view/legend.js';
@@ -76,7 +77,11 @@ const source = createSource(place('source'), {
   onSide: () => editSource('side', state.get().draft?.spec.source.side === 'back' ? 'front' : 'back'),
   limit: LARGEST_FILE,
 });
-const form = createForm(place('settings'), { onEdit: editField, onVariant: editVariant });
+const form = createForm(place('settings'), {
+  onEdit: editField,
+  onVariant: editVariant,
+  onChart: () => editChart({ isOpen: true }),
+});
 const views = [
   source,
   form,
@@ -85,6 +90,10 @@ const views = [
   createResults(place('results')),
   createDownloads(place('save')),
   createLegend(place('legend')),
+  createStepoverChart(place('chart'), {
+    onClose: () => editChart({ isOpen: false }),
+    onRadius: (radius) => editChart({ radius }),
+  }),
   createTools(
     { views: place('views'), layers: place('layers'), scrub: place('scrub') },
     {
@@ -112,6 +121,11 @@ function render(now) {
 function editSpec(spec, what) {
   const { draft } = state.get();
   if (draft) state.edit({ ...draft, spec }, what);
+}
+
+/** @param {Partial<import('./types.js').Chart>} change */
+function editChart(change) {
+  state.set({ chart: { ...state.get().chart, ...change } });
 }
 
 /** @param {string} path @param {any} value */

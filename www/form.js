@@ -7,7 +7,7 @@ import { plain } from './format.js';
 import { chosen, fault, fieldsOf, fitting, read, shapeOf } from './spec.js';
 import { has, prettify, t } from './text/index.js';
 import { createCutterSketch } from './view/cutter-sketch.js';
-import { attribute, h, say } from './view/dom.js';
+import { attribute, h, icon, say } from './view/dom.js';
 
 /** Groups that are open at first: what most people set. */
 const OPEN = new Set(['cutter', 'strategy', 'tolerance']);
@@ -19,14 +19,21 @@ const OPEN = new Set(['cutter', 'strategy', 'tolerance']);
 
 /**
  * @param {HTMLElement} root
- * @param {{ onEdit: (path: string, value: any) => void, onVariant: (group: Group, kind: string) => void }} callbacks
+ * @param {{ onEdit: (path: string, value: any) => void, onVariant: (group: Group, kind: string) => void,
+ *   onChart: () => void }} callbacks
  */
-export function createForm(root, { onEdit, onVariant }) {
+export function createForm(root, { onEdit, onVariant, onChart }) {
   /** @type {Map<string, Entry>} */
   let entries = new Map();
   /** @type {Map<string, { body: HTMLElement, summary: HTMLElement, select: HTMLSelectElement | null }>} */
   const groups = new Map();
   const sketch = createCutterSketch();
+  const chart = h(
+    'button',
+    { type: 'button', class: 'small', name: 'chart', onclick: onChart },
+    icon('chart'),
+    t('chart.open'),
+  );
   let shown = '';
   /** On a phone the groups are folded: the result stands below them. */
   const isWide = matchMedia('(width >= 760px)').matches;
@@ -67,7 +74,8 @@ export function createForm(root, { onEdit, onVariant }) {
           )
         : null;
       const picture = group.id === 'cutter' ? sketch.element : null;
-      parts.body.replaceChildren(.../** @type {Node[]} */ ([picture, picker, ...rows].filter(Boolean)));
+      const more = group.id === 'strategy' ? chart : null;
+      parts.body.replaceChildren(.../** @type {Node[]} */ ([picture, picker, ...rows, more].filter(Boolean)));
     }
   }
 

@@ -37,6 +37,8 @@ export function createSession(planner, state, { onProblem, onError }) {
   let drawn = { bytes: undefined, key: '', failed: new Set(), busy: false };
   /** @type {any} */
   let outlined = null;
+  /** What the curves of the chart were asked for with. */
+  let charted = { cutter: /** @type {any} */ (null), tolerance: /** @type {any} */ (null), radius: 0 };
   /** A picture that waits for its path, and the timer that ends the waiting. */
   let waiting = { picture: /** @type {any} */ (null), timer: 0 };
 
@@ -79,6 +81,25 @@ export function createSession(planner, state, { onProblem, onError }) {
     } catch (error) {
       if (error instanceof Cancelled) outlined = null;
       else if (outlined === cutter) state.set({ outline: null });
+    }
+  }
+
+  /** Computes stepover against tilt while somebody looks at it. @param {State} now */
+  async function refreshChart({ draft, chart }) {
+    if (!draft || !chart.isOpen) return;
+    const { version, cutter, tolerance } = draft.spec;
+    const { radius } = chart;
+    if (charted.cutter === cutter && charted.tolerance === tolerance && charted.radius === radius) return;
+    const mine = { cutter, tolerance, radius };
+    charted = mine;
+    try {
+      const spec = { version, source: ANY_SHAPE, cutter, tolerance };
+      const stepovers = await planner.call('stepover', [spec, [radius, 0]]);
+      if (charted === mine) state.set({ chart: { ...state.get().chart, stepovers, hasFailed: false } });
+    } catch (error) {
+      if (charted !== mine) return;
+      if (error instanceof Cancelled) charted = { cutter: null, tolerance: null, radius: 0 };
+      else state.set({ chart: { ...state.get().chart, stepovers: null, hasFailed: true } });
     }
   }
 
@@ -130,6 +151,7 @@ export function createSession(planner, state, { onProblem, onError }) {
       if (now.job?.op === 'plan') return;
       refreshPicture(now);
       refreshOutline(now);
+      refreshChart(now);
       refreshFaces(now);
     },
 

@@ -19,6 +19,7 @@ function empty() {
     planned: null,
     job: null,
     problem: null,
+    chart: { isOpen: false, radius: 50, stepovers: null, hasFailed: false },
     layers: { passes: true, links: true, rapids: true, excess: true, zones: true, side: false, cutter: true },
     at: 1,
     dragging: false,

@@ -35,6 +35,15 @@
  * `contacts` has three: where the cutter touches, or the tip on links. `excess` has one a vertex of the picture; both come with
  * the proof. `zones` has the middles of cubes with edges of `zoneEdge` millimetres. `outline` has the cutter's radius and height a point.
  *
+ * @typedef {{ radius_mm: number | null, tilt_deg: number[], circle_mm: (number | null)[], lead_mm: (number | null)[],
+ *   lateral_mm: (number | null)[], two_contact_mm: (number | null)[], matching_deg: number | null,
+ *   widest: { lead_deg: number, lift_mm: number, stepover_mm: number } | null }} StepoverCurves
+ * @typedef {{ scallop_mm: number, curves: StepoverCurves[] }} Stepovers
+ * Stepover against tilt, for the chosen radius of the surface and for a plane; `null` where there is none.
+ *
+ * @typedef {{ isOpen: boolean, radius: number, stepovers: Stepovers | null, hasFailed: boolean }} Chart
+ * The radius is in millimetres, above 0 for a hollow, below 0 for a ridge, 0 for a plane.
+ *
  * @typedef {{ code: string, message: string, field?: string }} Problem
  * @typedef {{ id: string | null, name: string, bytes: Uint8Array | null, info: Inspection | null }} Source
  * What is to be cut: an item of the gallery (`id`) or a file (`bytes`).
@@ -47,7 +56,7 @@
  *   cutter: boolean }} Layers
  * @typedef {{ schema: Schema | null, gallery: GalleryItem[], draft: Draft | null, canUndo: boolean,
  *   canRedo: boolean, picture: Picture | null, outline: Float32Array | null, faces: Map<number, Picture>, outcome: Outcome | null, planned: Draft | null,
- *   job: Job | null, problem: Problem | null, layers: Layers, at: number, dragging: boolean }} State
+ *   job: Job | null, problem: Problem | null, chart: Chart, layers: Layers, at: number, dragging: boolean }} State
  * `planned` is the draft that `outcome` belongs to; `at` is the share of the path that is shown, 0 to 1; `faces` are the
  * pictures of a file's faces as far as they are made.
  */

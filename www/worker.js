@@ -38,6 +38,11 @@ const operations = {
     return { result, transfer: buffers({ result }) };
   },
 
+  stepover([spec, radii]) {
+    const text = planner.stepover(JSON.stringify(spec), new Float64Array(radii));
+    return { result: JSON.parse(text), transfer: [] };
+  },
+
   plan([spec, bytes], progress) {
     const text = JSON.stringify(spec);
     const began = performance.now();

@@ -3,6 +3,7 @@
 mod drop;
 mod plan;
 mod progress;
+mod stepover;
 mod strip;
 
 use crate::job::{self, JobError};
@@ -39,6 +40,8 @@ enum Command {
     Gallery,
     /// Print the width of the strip that a cutter finishes at one contact point.
     Strip(strip::Strip),
+    /// Print the stepover at a tilt and a scallop height: by the circle model, exactly, and, on request, as simulated.
+    Stepover(stepover::Stepover),
     /// Print the heights at which a cutter touches a mesh from above.
     Drop(drop::Drop),
 }
@@ -68,6 +71,7 @@ pub fn run() -> ExitCode {
         Command::Schema => print(&job::schema()),
         Command::Gallery => print(&job::gallery_json()),
         Command::Strip(strip) => strip.run(),
+        Command::Stepover(stepover) => stepover.run(),
         Command::Drop(drop) => drop.run(),
     };
     match result {

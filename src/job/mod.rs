@@ -12,7 +12,9 @@ mod run;
 mod schema;
 mod shape;
 mod spec;
+mod stepover;
 mod tool;
+mod two_passes;
 mod verify_text;
 
 pub use cubes::Cubes;
@@ -29,5 +31,7 @@ pub use spec::{
     AlongSpec, CutterSpec, FeedSpec, LinkSpec, OrderSpec, SideSpec, SourceSpec, Spec, StrategySpec,
     ToleranceSpec, VERSION, VerifySpec,
 };
+pub use stepover::{Placement, StepoverChart, StepoverCurves, stepover_chart};
 pub use tool::outline;
+pub use two_passes::{TwoPasses, cut_two_passes};
 pub use verify_text::verify_text;
