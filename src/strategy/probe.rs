@@ -31,6 +31,9 @@ pub(super) const GOUGE: f64 = 0.0005;
 /// Lean of a strip up to which the run-out of its pass surely cuts what the strip leaves before the border.
 const RUN_OUT_LEAN: f64 = 0.25;
 
+/// An edge nearer to the contact than this part of a strip is at the contact.
+const AT_CONTACT: f64 = 1e-3;
+
 /// How far a strip reaches to one side.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Reach {
@@ -130,10 +133,14 @@ impl Setup<'_> {
         self.frame(contact, false).is_some_and(|(jet, frame)| self.lean(&frame, jet.p, edge) < RUN_OUT_LEAN)
     }
 
-    /// How far `edge` lies ahead of the `contact` with this frame or behind it, as a share of how far beside it; not a
-    /// number where it lies right there.
+    /// How far `edge` lies ahead of the `contact` with this frame or behind it, as a share of how far beside it; 0
+    /// where it lies right there.
     pub(super) fn lean(&self, frame: &Frame, contact: DVec3, edge: Uv) -> f64 {
         let away = self.face.surface.point(edge) - contact;
+        // A border right at the contact gives no direction.
+        if away.length() < AT_CONTACT * self.strip {
+            return 0.0;
+        }
         (away.dot(frame.f) / away.dot(frame.b)).abs()
     }
 

@@ -201,7 +201,7 @@ impl Walker<'_> {
             Edge::Reached(foot) | Edge::Border(foot) => self.setup.lean(&end.cc.frame, end.cc.point, foot),
             Edge::Gouge(_) => 0.0,
         };
-        // A border right at the contact gives no direction.
+        // One that lies straight ahead has no direction to go by.
         [lean(strip.left), lean(strip.right)].into_iter().filter(|l| l.is_finite()).fold(0.0, f64::max)
     }
 }
