@@ -41,6 +41,7 @@ pub mod job;
 pub mod math;
 pub mod monitor;
 pub mod post;
+pub mod posture;
 pub mod strategy;
 pub mod toolpath;
 pub mod verify;

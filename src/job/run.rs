@@ -5,14 +5,14 @@ use super::picture::Picture;
 use super::report::{Lengths, Report, Unreachable, Verified, minutes};
 use super::shape::Shape;
 use super::spec::{AlongSpec, OrderSpec, Spec, StrategySpec, VERSION};
-use super::tool::posture;
 use crate::contact::{DropMesh, FaceObstacle, Underside, is_in_mesh};
 use crate::cutter::Cutter;
 use crate::geometry::{Along, Face, TriMesh, Zone};
 use crate::monitor::Stage;
 use crate::post::{self, Program};
+use crate::posture::Rule;
 use crate::strategy::{self, LOOK, Linked, Planned, RasterError, RasterOptions, Refuge};
-use crate::toolpath::ClPoint;
+use crate::toolpath::{ClPoint, Posture};
 use crate::verify::{self, Options, Samples, Verification};
 use glam::DVec3;
 
@@ -158,18 +158,18 @@ impl Plan {
 fn on_face(spec: &Spec, face: &Face, cutter: &Cutter, stage: &Stage) -> Result<(Planned, Linked), JobError> {
     let finish = spec.finish()?;
     let passing = stage.part("Planning", 0.0, 0.95);
+    let rule = spec.strategy.rule()?.unwrap_or(Rule::Fixed(Posture::default()));
     let planned = match spec.strategy {
-        StrategySpec::IsoParametric { along, lead_deg, yaw_deg, order } => {
+        StrategySpec::IsoParametric { along, order, .. } => {
             let along = match along {
                 AlongSpec::U => Along::U,
                 AlongSpec::V => Along::V,
             };
-            let posture = posture(lead_deg, yaw_deg);
-            strategy::iso_parametric(face, cutter, along, posture, finish, order.into(), &passing)?
+            strategy::iso_parametric(face, cutter, along, rule, finish, order.into(), &passing)?
         }
-        StrategySpec::IsoPlanar { angle_deg, lead_deg, yaw_deg, order } => {
-            let (angle, posture) = (angle_deg.to_radians(), posture(lead_deg, yaw_deg));
-            strategy::iso_planar(face, cutter, angle, posture, finish, order.into(), &passing)?
+        StrategySpec::IsoPlanar { angle_deg, order, .. } => {
+            let angle = angle_deg.to_radians();
+            strategy::iso_planar(face, cutter, angle, rule, finish, order.into(), &passing)?
         }
         StrategySpec::Raster { .. } => {
             return Err(JobError::field(

@@ -1,7 +1,7 @@
 //! Passes along the level lines of a field, each as far from the last as its strips allow.
 
 use super::fill;
-use super::probe::{Probe, Reach, Setup};
+use super::probe::{GOUGE, Probe, Reach, Setup, contact_frame};
 use super::spacing::{Front, Toward};
 use super::{Finish, Order, Planned, StrategyError};
 use super::{unreached, walk};
@@ -9,6 +9,7 @@ use crate::contact::FaceObstacle;
 use crate::cutter::Cutter;
 use crate::geometry::{Domain, Face, FaceGrid, Field, FieldGrid, IsoLine, Range, Zone};
 use crate::monitor::{Cancelled, Stage};
+use crate::posture::{Ground, Rule, choose};
 use crate::toolpath::{Pass, Posture};
 
 /// A family of level lines and the strips on them.
@@ -32,20 +33,25 @@ pub(super) struct Candidate {
 }
 
 impl<'a> Family<'a> {
-    /// The level lines of `field` on `face`, for a cutter held at `posture`.
+    /// The level lines of `field` on `face`, for a cutter that leans by `rule`.
     pub(super) fn new(
         face: &'a Face,
         cutter: &'a Cutter,
-        posture: Posture,
+        rule: &Rule,
         finish: Finish,
         (field, column): (Field, Field),
         order: Order,
-    ) -> Self {
-        let cell = probe_spacing(cutter, posture, &finish);
+        stage: &Stage,
+    ) -> Result<Self, Cancelled> {
+        let obstacle = FaceObstacle::for_cutter(face, cutter);
+        let feed = |uv, reversed| contact_frame(face, field, uv, reversed);
+        let ground =
+            Ground { face, obstacle: &obstacle, cutter, feed: &feed, scallop: finish.scallop, gouge: GOUGE };
+        let postures = choose(rule, &ground, order == Order::ZigZag, stage)?;
+        let cell = probe_spacing(cutter, postures.typical(), &finish);
         let grid = FaceGrid::new(face, cell, 24, 1200);
         let (nu, nv) = grid.size();
         let lines = FieldGrid::new(face, field, grid);
-        let obstacle = FaceObstacle::for_cutter(face, cutter);
         let domain = face.domain();
         let (low, high) = lines.range();
         let levels = parameter_range(&domain, field).unwrap_or(Range::open(low, high));
@@ -56,8 +62,24 @@ impl<'a> Family<'a> {
             Field::Along(_) => 2.0 * cell,
         };
         let column_period = parameter_range(&domain, column).filter(|r| r.periodic).map(|r| r.length());
-        let setup = Setup { face, obstacle, cutter, posture, finish, field, column, strip: 2.0 * cell };
-        Self { setup, lines, levels, nominal, column_period, order }
+        let setup = Setup { face, obstacle, cutter, postures, finish, field, column, strip: 2.0 * cell };
+        Ok(Self { setup, lines, levels, nominal, column_period, order })
+    }
+
+    /// The passes along the level lines of `field` on `face`, for a cutter that leans by `rule`.
+    pub(super) fn of_rule(
+        face: &'a Face,
+        cutter: &'a Cutter,
+        rule: &Rule,
+        finish: Finish,
+        fields: (Field, Field),
+        order: Order,
+        stage: &Stage,
+    ) -> Result<Planned, StrategyError> {
+        let choosing = if matches!(rule, Rule::Fixed(_)) { 0.0 } else { 0.15 };
+        let first = stage.part("Choosing postures", 0.0, choosing);
+        let family = Self::new(face, cutter, rule, finish, fields, order, &first)?;
+        family.plan(&stage.part("Spacing passes", choosing, 1.0))
     }
 
     /// The passes, from the lowest level to the highest.
