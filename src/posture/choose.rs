@@ -3,7 +3,7 @@
 use super::field::Way;
 use super::fit::largest_fit;
 use super::lattice::Lattice;
-use super::lead::{by_curvature, clear_leads, spread};
+use super::lead::{clear_leads, local_leads, spread};
 use super::yaw::yaws;
 use super::{Limits, PostureField, Rule};
 use crate::contact::FaceObstacle;
@@ -77,18 +77,16 @@ fn one_way(
     reversed: bool,
     stage: &Stage,
 ) -> Result<(Lattice, Vec<Posture>, Vec<usize>), Cancelled> {
-    let lattice = Lattice::new(ground, grid, reversed, &stage.part("Choosing postures", 0.0, 0.2))?;
+    let part = |from, to| stage.part("Choosing postures", from, to);
+    let lattice = Lattice::new(ground, grid, reversed, &part(0.0, 0.05))?;
     let turns = allowed_turns(limits, &lattice);
     let halves: Vec<f64> = turns.iter().map(|turn| turn * std::f64::consts::FRAC_1_SQRT_2).collect();
-    // With yaw 0 first, to know about how much lead each place will have.
-    let mut floors = by_curvature(ground, limits, &lattice, &vec![0.0; lattice.nodes.len()]);
+    let wished = yaws(ground, limits, &lattice, reversed, &part(0.05, 0.3))?;
+    let mut floors = local_leads(ground, limits, &lattice, &wished, &part(0.3, 0.5))?;
     let leads = spread(&lattice, &floors, &halves);
-    let wished = yaws(ground, limits, &lattice, &leads);
     let yaws = lattice.steadied(&wished, &allowed_yaws(ground, &lattice, &leads, &halves));
-    let needed = by_curvature(ground, limits, &lattice, &yaws);
-    floors.copy_from_slice(&needed);
-    let rest = stage.part("Choosing postures", 0.3, 1.0);
-    let (leads, misfits) = clear_leads(ground, limits, &lattice, &yaws, &mut floors, &halves, &rest)?;
+    let (leads, misfits) =
+        clear_leads(ground, limits, &lattice, &yaws, &mut floors, &halves, &part(0.5, 1.0))?;
     // Where clearance took more lead than was thought, the same yaw turns the axis more.
     let yaws = lattice.steadied(&yaws, &allowed_yaws(ground, &lattice, &leads, &halves));
     let postures = leads.into_iter().zip(yaws).map(|(lead, yaw)| Posture { lead, yaw }).collect();
@@ -98,13 +96,15 @@ fn one_way(
 /// By how much the axes of the neighbours of each pair may differ in their contact frames, radians.
 fn allowed_turns(limits: &Limits, lattice: &Lattice) -> Vec<f64> {
     let allowed = |pair: &super::lattice::Pair| {
-        let total = libm::hypot(limits.most_turn[0] * pair.way[0], limits.most_turn[1] * pair.way[1]);
+        let [along, across] = [0, 1].map(|k| limits.most_turn[k] * pair.way[k]);
         let [a, b] = pair.nodes.map(|i| lattice.nodes[i].contact);
+        // Only what lies one after the other on a pass turns with its frame.
+        let share = pair.way[0] / libm::hypot(pair.way[0], pair.way[1]).max(f64::MIN_POSITIVE);
         let own = match (a, b) {
-            (Some(a), Some(b)) => rotation(&a.frame, &b.frame),
+            (Some(a), Some(b)) => share * rotation(&a.frame, &b.frame),
             _ => 0.0,
         };
-        (total - own).max(FLOOR * total)
+        libm::hypot((along - own).max(FLOOR * along), across)
     };
     lattice.pairs.iter().map(allowed).collect()
 }

@@ -71,6 +71,11 @@ impl PostureField {
         (posture, turning)
     }
 
+    /// Whether the posture is the same everywhere.
+    pub fn is_fixed(&self) -> bool {
+        self.ways.is_empty()
+    }
+
     /// The mean posture over the face: what strips are mostly cut with.
     pub fn typical(&self) -> Posture {
         self.typical
@@ -94,7 +99,7 @@ impl PostureField {
 
 impl Way {
     /// The posture at `uv`, and its derivatives by u and by v.
-    fn at(&self, uv: Uv) -> (Posture, [Posture; 2]) {
+    pub(super) fn at(&self, uv: Uv) -> (Posture, [Posture; 2]) {
         let [wu, wv] = [self.axes[0].weights(uv.u), self.axes[1].weights(uv.v)];
         let count = self.axes[0].len();
         let mut sums = [Posture::default(); 3];

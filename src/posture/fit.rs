@@ -1,8 +1,7 @@
 //! How large a cutter would fit where this one does not.
 
-use super::clear::{is_clear, least_clear};
+use super::clear::{is_clear, least_clear, least_local};
 use super::lattice::Node;
-use super::width::matching_lead;
 use super::{Ground, Limits};
 use crate::cutter::Cutter;
 use crate::toolpath::Posture;
@@ -42,13 +41,11 @@ pub(super) fn largest_fit<'a>(
 }
 
 fn fits(ground: &Ground, limits: &Limits, node: &Node, cutter: &Cutter) -> bool {
-    let Some(contact) = &node.contact else { return true };
-    let Some(least) = matching_lead(cutter, &contact.surface, 0.0) else { return false };
-    let lead = least.max(limits.least_lead);
-    let posture = Posture { lead, yaw: 0.0 };
-    lead <= limits.most_lead
-        && (is_clear(ground, cutter, node, posture)
-            || least_clear(ground, cutter, node, posture, limits).is_some())
+    least_local(ground, cutter, node, 0.0, limits).is_some_and(|lead| {
+        let posture = Posture { lead, yaw: 0.0 };
+        is_clear(ground, cutter, node, posture)
+            || least_clear(ground, cutter, node, posture, limits).is_some()
+    })
 }
 
 /// The cutter with every length multiplied by `share`.

@@ -1,8 +1,7 @@
 //! The least leads at which the cutter digs in nowhere, over the whole face.
 
-use super::clear::{is_clear, least_clear};
+use super::clear::{is_clear, least_clear, least_local};
 use super::lattice::Lattice;
-use super::width::matching_lead;
 use super::{Ground, Limits};
 use crate::monitor::{Cancelled, Stage};
 use crate::toolpath::Posture;
@@ -10,13 +9,18 @@ use crate::toolpath::Posture;
 /// Rounds of raising what is not clear; what is raised last is not tested again, but more lead seldom digs in.
 const ROUNDS: usize = 4;
 
-/// The least lead that the node needs by its curvature; the largest allowed where none is enough.
-pub(super) fn by_curvature(ground: &Ground, limits: &Limits, lattice: &Lattice, yaws: &[f64]) -> Vec<f64> {
-    let lead = |(node, &yaw): (&super::lattice::Node, &f64)| {
-        let least = node.contact.map_or(Some(0.0), |c| matching_lead(ground.cutter, &c.surface, yaw));
-        least.unwrap_or(limits.most_lead).clamp(limits.least_lead, limits.most_lead)
-    };
-    lattice.nodes.iter().zip(yaws).map(lead).collect()
+/// The least leads at which the cutter does not dig in right beside its contact; the least of all where it does whatever
+/// its lead, since nothing is gained by more.
+pub(super) fn local_leads(
+    ground: &Ground,
+    limits: &Limits,
+    lattice: &Lattice,
+    yaws: &[f64],
+    stage: &Stage,
+) -> Result<Vec<f64>, Cancelled> {
+    stage.map(yaws.len(), |i| {
+        least_local(ground, ground.cutter, &lattice.nodes[i], yaws[i], limits).unwrap_or(limits.least_lead)
+    })
 }
 
 /// The least leads that nodes and places between them need, no less than `floors`, and no two neighbours' farther apart

@@ -9,10 +9,11 @@ mod field;
 mod fit;
 mod lattice;
 mod lead;
+mod matching;
 mod motion;
 mod rule;
 mod spline;
-mod width;
+
 mod yaw;
 
 pub use choose::{Ground, choose};

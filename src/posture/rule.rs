@@ -26,8 +26,9 @@ pub struct Limits {
     pub most_lead: f64,
     /// Largest yaw to either side, radians.
     pub most_yaw: f64,
-    /// The most that the axis turns in space per millimetre along the feed, and across it, radians. Where the contact
-    /// frame alone turns it by more, the posture hardly changes in that frame.
+    /// The most that the axis turns per millimetre, radians: along the feed in space, where it may then change in the
+    /// contact frame by what that frame's own turn leaves, or by a tenth of the limit where it leaves less; across the feed
+    /// in the contact frame.
     pub most_turn: [f64; 2],
 }
 
@@ -35,14 +36,14 @@ pub struct Limits {
 const DEGREE: f64 = PI / 180.0;
 
 impl Default for Limits {
-    /// Leads from 2° to 45°, up to 60° of yaw. A machine that turns its axis by 90° in a second keeps up with 4° a
+    /// Leads from 2° to 45°, up to 30° of yaw. A machine that turns its axis by 90° in a second keeps up with 4° a
     /// millimetre at 1350 mm/min.
     fn default() -> Self {
         Self {
             least_lead: 2.0 * DEGREE,
             most_lead: 45.0 * DEGREE,
-            most_yaw: 60.0 * DEGREE,
-            most_turn: [4.0 * DEGREE; 2],
+            most_yaw: 30.0 * DEGREE,
+            most_turn: [4.0 * DEGREE, 8.0 * DEGREE],
         }
     }
 }

@@ -88,12 +88,19 @@ impl Setup<'_> {
 
     /// The strip at `uv` on a level line; `None` where the cutter cannot go.
     pub(super) fn strip(&self, uv: Uv, reversed: bool) -> Option<FaceStrip> {
+        if !self.fits(&self.station(uv, reversed)?, uv) {
+            return None;
+        }
+        let strip = self.moving_strip(uv, reversed)?;
+        let gouges = matches!(strip.left, Edge::Gouge(_)) || matches!(strip.right, Edge::Gouge(_));
+        (!gouges).then_some(strip)
+    }
+
+    /// The strip at `uv` whether the cutter can go there or not; `None` at a pole.
+    fn moving_strip(&self, uv: Uv, reversed: bool) -> Option<FaceStrip> {
         let (jet, frame) = self.frame(uv, reversed)?;
         let (posture, turning) = self.postures.moving(uv, reversed, &jet, &frame);
         let cc = CcPoint { point: jet.p, frame, posture };
-        if !self.fits(&Station { cc, cl: cl_of(self.cutter, &cc) }, uv) {
-            return None;
-        }
         let k = Curvature::of(&jet, &frame)?;
         let geodesic = self.field.geodesic_curvature(&jet, &frame, k.ff);
         let geodesic = if geodesic.is_finite() { geodesic } else { 0.0 };
@@ -101,9 +108,26 @@ impl Setup<'_> {
         // Chords over a hollow run above the path by up to the chord tolerance, and the cusps with them.
         let lift = if k.ff > 0.0 { self.finish.chord } else { 0.0 };
         let limits = StripLimits { scallop: self.finish.scallop - lift, gouge: GOUGE };
-        let strip = moving_strip(self.face, self.cutter, &cc, uv, (spin, turning), limits)?;
-        let gouges = matches!(strip.left, Edge::Gouge(_)) || matches!(strip.right, Edge::Gouge(_));
-        (!gouges).then_some(strip)
+        moving_strip(self.face, self.cutter, &cc, uv, (spin, turning), limits)
+    }
+
+    /// About how wide the strip at `uv` is, mm: the one on flat ground, or where postures are chosen and strips may be much
+    /// wider, its own.
+    pub(super) fn breadth(&self, uv: Uv, reversed: bool) -> f64 {
+        if self.postures.is_fixed() {
+            return self.strip;
+        }
+        let (Some((jet, frame)), Some(strip)) = (self.frame(uv, reversed), self.moving_strip(uv, reversed))
+        else {
+            return self.strip;
+        };
+        let half = |edge: Edge| match edge {
+            Edge::Reached(foot) | Edge::Border(foot) => {
+                (self.face.surface.point(foot) - jet.p).dot(frame.b).abs()
+            }
+            Edge::Gouge(_) => 0.0,
+        };
+        (2.0 * half(strip.left).max(half(strip.right))).max(self.strip)
     }
 
     /// What the cutter does at `uv`.
