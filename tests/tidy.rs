@@ -18,7 +18,10 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("post", &["math", "cutter", "toolpath"]),
     (
         "job",
-        &["math", "geometry", "cutter", "toolpath", "import", "contact", "posture", "strategy", "verify", "post"],
+        &[
+            "math", "geometry", "cutter", "toolpath", "import", "contact", "posture", "strategy", "verify",
+            "post",
+        ],
     ),
     ("wasm", &["job", "toolpath"]),
     ("cli", &["job", "import", "cutter", "contact", "geometry", "toolpath"]),

@@ -89,7 +89,8 @@ const LEAST_LEAD: Field = number("least_lead_deg", "°", [0.1, 45.0], 0.5, 2.0).
 const MOST_LEAD: Field = number("most_lead_deg", "°", [1.0, 80.0], 1.0, 45.0).when("rule", CHOSEN);
 const MOST_YAW: Field = number("most_yaw_deg", "°", [0.0, 80.0], 5.0, 30.0).when("rule", &["widest"]);
 const TURN_ALONG: Field = number("turn_along_deg_per_mm", "°/mm", [0.1, 90.0], 0.5, 4.0).when("rule", CHOSEN);
-const TURN_ACROSS: Field = number("turn_across_deg_per_mm", "°/mm", [0.1, 90.0], 0.5, 8.0).when("rule", CHOSEN);
+const TURN_ACROSS: Field =
+    number("turn_across_deg_per_mm", "°/mm", [0.1, 90.0], 0.5, 8.0).when("rule", CHOSEN);
 const ORDER: Field = choice("order", &["zigzag", "zig"], "zigzag");
 
 /// The objects of a specification in the order in which a form shows them.

@@ -71,10 +71,14 @@ pub fn plan(spec: &Spec, bytes: Option<&[u8]>, stage: &Stage) -> Result<Plan, Jo
     let emitted =
         post::apt::read(&apt).map_err(|e| JobError::Post(format!("the program does not read back: {e}")))?;
     if planned.unreached.area() > 0.0 {
-        warnings.push(format!(
-            "the cutter cannot reach {:.2} mm² in this posture; a smaller cutter or another lead may",
-            planned.unreached.area()
-        ));
+        let may = match planned.largest_fit {
+            Some(share) => format!(
+                "in any posture within the limits; one of the same shape would have to be of at most {:.2} mm diameter",
+                share * cutter.diameter
+            ),
+            None => "in this posture; a smaller cutter or another lead may".into(),
+        };
+        warnings.push(format!("the cutter cannot reach {:.2} mm² {may}", planned.unreached.area()));
     }
     if planned.unseen.area() > 0.0 {
         warnings.push(format!(
@@ -234,7 +238,8 @@ fn on_mesh(
     let is_clear = |cl: &ClPoint| !is_in_mesh(&lowered, &under, cl.tip - DVec3::Z * LOOK);
     let refuge = Refuge::Above(top + how.clearance);
     let linked = strategy::link(&passes, &how, &refuge, &is_clear, &stage.part("Joining passes", 0.95, 1.0))?;
-    Ok((Planned { passes, unreached: raster.unreached, unseen: raster.unseen }, linked))
+    let (unreached, unseen) = (raster.unreached, raster.unseen);
+    Ok((Planned { passes, unreached, unseen, largest_fit: None }, linked))
 }
 
 /// The shape of `spec` to draw before anything is planned.

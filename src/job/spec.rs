@@ -188,7 +188,10 @@ pub enum StrategySpec {
         turn_across_deg_per_mm: f64,
         order: OrderSpec,
     },
-    Raster { angle_deg: f64, order: OrderSpec },
+    Raster {
+        angle_deg: f64,
+        order: OrderSpec,
+    },
 }
 
 /// The parameter that passes follow.

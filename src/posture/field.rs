@@ -55,13 +55,7 @@ impl PostureField {
 
     /// The posture at `uv`, where the face's jet and the contact frame are these, and how it changes along the frame's
     /// `f`: nothing where it is the same everywhere or the jet is a pole's.
-    pub fn moving(
-        &self,
-        uv: Uv,
-        reversed: bool,
-        jet: &Jet,
-        frame: &Frame,
-    ) -> (Posture, Option<Turning>) {
+    pub fn moving(&self, uv: Uv, reversed: bool, jet: &Jet, frame: &Frame) -> (Posture, Option<Turning>) {
         let Some(way) = self.way(reversed) else { return (self.typical, None) };
         let (posture, [along_u, along_v]) = way.at(uv);
         let turning = jet.pull_back(frame.f).map(|(u, v)| Turning {

@@ -1,7 +1,7 @@
 //! The nodes at which postures are chosen, and how much a number may differ between neighbours.
 
-use super::spline::Axis;
 use super::choose::Ground;
+use super::spline::Axis;
 use crate::geometry::{Curvature, FaceGrid, Uv};
 use crate::math::frame::Frame;
 use crate::monitor::{Cancelled, Stage};

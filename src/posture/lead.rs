@@ -46,7 +46,8 @@ pub(super) fn clear_leads(
     let mut tested = vec![f64::NAN; leads.len()];
     let mut fits = vec![true; leads.len()];
     for round in 0..ROUNDS {
-        let part = stage.part("Choosing postures", round as f64 / ROUNDS as f64, (round + 1) as f64 / ROUNDS as f64);
+        let part =
+            stage.part("Choosing postures", round as f64 / ROUNDS as f64, (round + 1) as f64 / ROUNDS as f64);
         let open: Vec<usize> = (0..leads.len())
             .filter(|&i| leads[i] != tested[i] && lattice.nodes[i].contact.is_some())
             .collect();

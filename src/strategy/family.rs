@@ -7,7 +7,7 @@ use super::{Finish, Order, Planned, StrategyError};
 use super::{unreached, walk};
 use crate::contact::FaceObstacle;
 use crate::cutter::Cutter;
-use crate::geometry::{Domain, Face, FaceGrid, Field, FieldGrid, IsoLine, Range, Zone};
+use crate::geometry::{Domain, Face, FaceGrid, Field, FieldGrid, IsoLine, Range, Uv, Zone};
 use crate::monitor::{Cancelled, Stage};
 use crate::posture::{Ground, Rule, choose};
 use crate::toolpath::{Pass, Posture};
@@ -93,7 +93,8 @@ impl<'a> Family<'a> {
         }
         let unreached =
             unreached::zone(&self.setup, &tracks, &stage.part("Mapping what is unreachable", 0.95, 1.0))?;
-        Ok(Planned { passes, unreached, unseen: Zone::empty() })
+        let largest_fit = self.setup.postures.largest_fit();
+        Ok(Planned { passes, unreached, unseen: Zone::empty(), largest_fit })
     }
 
     pub(super) fn front(&self, candidate: &Candidate, toward: Toward) -> Front {
@@ -143,11 +144,39 @@ impl<'a> Family<'a> {
         1e-9 * self.levels.length()
     }
 
+    /// `line`, a piece of one of its level's, with as much more at its ends as the strips there lie aslant: where postures are
+    /// chosen, strips are wide, and what a partial pass is for would lie beside its end.
+    fn extended(&self, line: &IsoLine, reversed: bool) -> IsoLine {
+        let mut nodes = line.nodes.clone();
+        let last = nodes.len() - 1;
+        let place = |whole: &IsoLine| whole.nodes.windows(nodes.len()).position(|w| w[0] == nodes[0]);
+        let found = || self.lines.lines(line.level).into_iter().find_map(|l| place(&l).map(|at| (l, at)));
+        if self.setup.postures.is_fixed() || line.closed {
+            return line.clone();
+        }
+        let Some((whole, at)) = found() else { return line.clone() };
+        let mut way = [nodes[0], nodes[last]].map(|uv| self.setup.overlap(uv, reversed));
+        let point = |uv: Uv| self.setup.face.surface.point(uv);
+        let (mut first, mut end) = (at, at + last);
+        while first > 0 && way[0] > 0.0 {
+            way[0] -= point(whole.nodes[first]).distance(point(whole.nodes[first - 1]));
+            first -= 1;
+        }
+        while end + 1 < whole.nodes.len() && way[1] > 0.0 {
+            way[1] -= point(whole.nodes[end]).distance(point(whole.nodes[end + 1]));
+            end += 1;
+        }
+        nodes = whole.nodes[first..=end].to_vec();
+        IsoLine { nodes, ..*line }
+    }
+
     /// The passes on the lines of `tracks`.
     fn walk(&self, tracks: &[Candidate], stage: &Stage) -> Result<Vec<Pass>, Cancelled> {
         let per_track = stage.map(tracks.len(), |i| {
             let track = &tracks[i];
-            let pass = |line| walk::passes(&self.setup, line, track.reversed);
+            let pass = |line: &IsoLine| {
+                walk::passes(&self.setup, &self.extended(line, track.reversed), track.reversed)
+            };
             if track.reversed {
                 track.lines.iter().rev().flat_map(pass).collect::<Vec<_>>()
             } else {

@@ -1,10 +1,11 @@
 //! Stations along a level line, as far apart as the chord tolerance allows.
 
 use super::probe::{GOUGE, Setup};
-use crate::contact::{Edge, cl_of, contact_of};
+use super::under;
+use crate::contact::{cl_of, contact_of};
 use crate::geometry::{Curvature, IsoLine, Range, Uv};
 use crate::math::frame::Frame;
-use crate::toolpath::{CcPoint, ClPoint, Pass, Station};
+use crate::toolpath::{CcPoint, ClPoint, Pass, Posture, Station};
 use glam::DVec3;
 
 /// A station on the line, and whether the cutter can stand there.
@@ -44,6 +45,10 @@ const MOST_RUN_OUT_TURN: f64 = 0.4;
 
 /// How many times more moves there are beyond a border where postures are chosen.
 const FINER: f64 = 3.0;
+
+/// How much more lead is tried there, radians, times the squares of so many numbers.
+const MORE_LEAD: f64 = 0.002;
+const MORE_LEADS: u32 = 7;
 
 struct Walker<'a> {
     setup: &'a Setup<'a>,
@@ -191,7 +196,7 @@ impl Walker<'_> {
         // The border leans by the first, the strip by the second; where either is extreme, going all the way would cost
         // more than it finishes.
         let border_lean = (border.dot(frame.f) / border.dot(frame.b)).abs();
-        let strip_lean = self.strip_lean(uv, end);
+        let strip_lean = self.setup.strip_lean(uv, self.reversed);
         let lean = [border_lean, strip_lean].map(|l| if l < 6.0 { l } else { 0.0 });
         let way = self.setup.breadth(uv, self.reversed) * (0.15 + 0.6 * (lean[0] + lean[1]));
         let Some(k) = Curvature::of(&jet, &frame) else { return Vec::new() };
@@ -202,27 +207,46 @@ impl Walker<'_> {
         // A posture that is chosen leaves hardly any room under the rear, which then reaches back over the border.
         let finer = if self.setup.postures.is_fixed() { 1.0 } else { FINER };
         let count = (finer * (way / chord).max(turn)).ceil().clamp(1.0, 64.0) as usize;
+        let chosen = !self.setup.postures.is_fixed();
         let beyond = |i: usize| {
             let s = toward * way * i as f64 / count as f64;
-            let n = (frame.n - (frame.f * bend + frame.b * twist) * s).normalize();
-            let point = end.cc.point + frame.f * s + frame.n * (0.5 * bend * s * s);
-            let frame = Frame::from_normal(n, frame.f + frame.n * (bend * s))?;
-            let cc = CcPoint { point, frame, ..end.cc };
-            let station = Station { cc, cl: cl_of(self.setup.cutter, &cc) };
-            self.setup.is_off(&station.cl).then_some(station)
+            let (point, n, along) = if chosen {
+                arc(&end.cc, [bend, twist], s)
+            } else {
+                let n = (frame.n - (frame.f * bend + frame.b * twist) * s).normalize();
+                let point = end.cc.point + frame.f * s + frame.n * (0.5 * bend * s * s);
+                (point, n, frame.f + frame.n * (bend * s))
+            };
+            let frame = Frame::from_normal(n, along)?;
+            let at = |lead: f64| {
+                let cc = CcPoint { point, frame, posture: Posture { lead, ..end.cc.posture } };
+                Station { cc, cl: cl_of(self.setup.cutter, &cc) }
+            };
+            let lead = end.cc.posture.lead;
+            if !chosen {
+                return Some(at(lead)).filter(|station| self.setup.is_off(&station.cl));
+            }
+            // What goes on beyond a border is a guess at the surface: more lead makes up for it.
+            (0..MORE_LEADS).map(|k| at(lead + MORE_LEAD * f64::from(k * k))).find(|station| {
+                self.setup.is_off(&station.cl)
+                    && under::least_under(self.setup.face, self.setup.cutter, &station.cl, uv) >= -GOUGE
+            })
         };
         (1..=count).map_while(beyond).collect()
     }
+}
 
-    /// How far the strip at `end` lies aslant: what its edges are ahead or behind the contact, as a share of what they
-    /// are beside it, the larger of the two.
-    fn strip_lean(&self, uv: Uv, end: &Station) -> f64 {
-        let Some(strip) = self.setup.strip(uv, self.reversed) else { return 0.0 };
-        let lean = |edge: Edge| match edge {
-            Edge::Reached(foot) | Edge::Border(foot) => self.setup.lean(&end.cc.frame, end.cc.point, foot),
-            Edge::Gouge(_) => 0.0,
-        };
-        // A border right at the contact gives no direction.
-        [lean(strip.left), lean(strip.right)].into_iter().filter(|l| l.is_finite()).fold(0.0, f64::max)
-    }
+/// Point, normal and direction `s` mm beyond a contact, where the surface bends and twists along the feed as it does there.
+fn arc(cc: &CcPoint, [bend, twist]: [f64; 2], s: f64) -> (DVec3, DVec3, DVec3) {
+    let Frame { f, b, n } = cc.frame;
+    let (sine, cosine) = libm::sincos(bend * s);
+    // Chord and sagitta of the arc, also where it is almost straight.
+    let half = 0.5 * bend * s;
+    let chord = if half == 0.0 { s } else { s * libm::sin(half) / half };
+    let (half_sine, half_cosine) = libm::sincos(half);
+    let point = cc.point + (f * half_cosine + n * half_sine) * chord;
+    let along = f * cosine + n * sine;
+    let (twist_sine, twist_cosine) = libm::sincos(twist * s);
+    let normal = (n * cosine - f * sine) * twist_cosine - b * twist_sine;
+    (point, normal, along)
 }
