@@ -1,5 +1,6 @@
 //! Postures for a whole face at once.
 
+use super::clear::half_width;
 use super::field::Way;
 use super::fit::largest_fit;
 use super::lattice::Lattice;
@@ -82,8 +83,23 @@ fn one_way(
     let turns = allowed_turns(limits, &lattice);
     let halves: Vec<f64> = turns.iter().map(|turn| turn * std::f64::consts::FRAC_1_SQRT_2).collect();
     let wished = yaws(ground, limits, &lattice, reversed, &part(0.05, 0.3))?;
-    let mut floors = local_leads(ground, limits, &lattice, &wished, &part(0.3, 0.5))?;
-    let leads = spread(&lattice, &floors, &halves);
+    let leads_for = |yaws: &[f64], stage: &Stage| -> Result<_, Cancelled> {
+        let floors = local_leads(ground, limits, &lattice, yaws, stage)?;
+        let leads = spread(&lattice, &floors, &halves);
+        Ok((floors, leads))
+    };
+    let (mut wished, (mut floors, mut leads)) = {
+        let leads = leads_for(&wished, &part(0.3, 0.4))?;
+        (wished, leads)
+    };
+    if limits.most_yaw > 0.0 {
+        // Leads spread to places with other yaws; where that costs more than yaw gains, there is none.
+        let none = vec![0.0; wished.len()];
+        let (plain_floors, plain_leads) = leads_for(&none, &part(0.4, 0.5))?;
+        if cost(ground, &lattice, &plain_leads, &none) < cost(ground, &lattice, &leads, &wished) {
+            (wished, floors, leads) = (none, plain_floors, plain_leads);
+        }
+    }
     let yaws = lattice.steadied(&wished, &allowed_yaws(ground, &lattice, &leads, &halves));
     let (leads, misfits) =
         clear_leads(ground, limits, &lattice, &yaws, &mut floors, &halves, &part(0.5, 1.0))?;
@@ -92,6 +108,20 @@ fn one_way(
     let postures = leads.into_iter().zip(yaws).map(|(lead, yaw)| Posture { lead, yaw }).collect();
     Ok((lattice, postures, misfits))
 }
+
+/// The area of the face in strips' widths, over some of the nodes: about how long passes are, in mm, where all nodes count.
+fn cost(ground: &Ground, lattice: &Lattice, leads: &[f64], yaws: &[f64]) -> f64 {
+    let one = |i: usize| {
+        let node = &lattice.nodes[i];
+        let posture = Posture { lead: leads[i], yaw: yaws[i] };
+        // Where the cutter digs in, or the strip runs over borders on both sides, nothing is told.
+        half_width(ground, node, posture).map_or(0.0, |half| 0.5 * node.area / half)
+    };
+    (0..leads.len()).step_by(SAMPLED).map(one).sum()
+}
+
+/// Every so many nodes are looked at to compare postures; no divisor of a common number of nodes a side.
+const SAMPLED: usize = 7;
 
 /// By how much the axes of the neighbours of each pair may differ in their contact frames, radians.
 fn allowed_turns(limits: &Limits, lattice: &Lattice) -> Vec<f64> {

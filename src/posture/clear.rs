@@ -26,6 +26,21 @@ pub(super) fn strip(ground: &Ground, cutter: &Cutter, node: &Node, posture: Post
     (!digs).then_some(strip)
 }
 
+/// Half the width of the strip of the ground's cutter at `node`, mm; nothing where it digs in, or runs over borders on both
+/// sides. At one border the strip counts as far as on its other side.
+pub(super) fn half_width(ground: &Ground, node: &Node, posture: Posture) -> Option<f64> {
+    let b = node.contact?.frame.b;
+    let side = |edge| match edge {
+        Edge::Reached(uv) => Some((ground.face.surface.point(uv) - node.point).dot(b).abs()),
+        Edge::Border(_) | Edge::Gouge(_) => None,
+    };
+    let found = strip(ground, ground.cutter, node, posture)?;
+    match (side(found.left), side(found.right)) {
+        (Some(left), Some(right)) => Some(0.5 * (left + right)),
+        (one, other) => one.or(other),
+    }
+}
+
 /// Whether `cutter` in `posture` at `node` reaches into the face nowhere: not beside its contact, nor with the rear of its
 /// bottom or its side, which goes on upwards as the shank.
 pub(super) fn is_clear(ground: &Ground, cutter: &Cutter, node: &Node, posture: Posture) -> bool {

@@ -1,11 +1,10 @@
 //! The yaw with the widest strips, smooth over the whole face.
 
-use super::clear::{least_local, strip};
+use super::clear::{half_width, least_local};
 use super::field::Way;
 use super::lattice::{Lattice, Node};
 use super::spline::Axis;
 use super::{Ground, Limits};
-use crate::contact::Edge;
 use crate::geometry::FaceGrid;
 use crate::monitor::{Cancelled, Stage};
 use crate::toolpath::Posture;
@@ -84,22 +83,11 @@ pub(super) fn yaws(
 
 /// The costs at `node` for the yaws of `axis`; nothing where no strip lies wholly on the face.
 fn costs(ground: &Ground, limits: &Limits, node: &Node, axis: &Axis) -> Option<[f64; YAWS]> {
-    let frame = node.contact?.frame;
     let mut costs = [f64::NAN; YAWS];
     for (k, cost) in costs.iter_mut().enumerate() {
         let yaw = axis.node(k);
         let Some(lead) = least_local(ground, ground.cutter, node, yaw, limits) else { continue };
-        let side = |edge| match edge {
-            Edge::Reached(uv) => Some((ground.face.surface.point(uv) - node.point).dot(frame.b).abs()),
-            Edge::Border(_) | Edge::Gouge(_) => None,
-        };
-        let found = strip(ground, ground.cutter, node, Posture { lead, yaw })?;
-        // At a border the strip goes on as far as on its other side.
-        let half = match (side(found.left), side(found.right)) {
-            (Some(left), Some(right)) => 0.5 * (left + right),
-            (one, other) => one.or(other)?,
-        };
-        *cost = 0.5 / half;
+        *cost = 0.5 / half_width(ground, node, Posture { lead, yaw })?;
     }
     let most = costs.iter().copied().filter(|c| c.is_finite()).fold(0.0, f64::max);
     // What does not fit costs more than whatever does.
