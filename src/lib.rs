@@ -28,8 +28,8 @@
 //! ```
 //!
 //! Read in this order: [`toolpath`] for the vocabulary, [`geometry`] for what a surface is, [`contact`] for
-//! the strip that one contact point finishes, [`strategy`] for how strips become passes, [`verify`] for
-//! the proof, [`job`] for how a specification becomes a result.
+//! the strip that one contact point finishes, [`posture`] for how the cutter leans there, [`strategy`] for how
+//! strips become passes, [`verify`] for the proof, [`job`] for how a specification becomes a result.
 
 #[cfg(not(target_arch = "wasm32"))]
 pub mod cli;
@@ -41,6 +41,7 @@ pub mod job;
 pub mod math;
 pub mod monitor;
 pub mod post;
+pub mod posture;
 pub mod strategy;
 pub mod toolpath;
 pub mod verify;

@@ -12,10 +12,17 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("toolpath", &["math"]),
     ("import", &["math", "geometry"]),
     ("contact", &["math", "geometry", "cutter", "toolpath"]),
-    ("strategy", &["math", "geometry", "cutter", "toolpath", "contact"]),
+    ("posture", &["math", "geometry", "cutter", "toolpath", "contact"]),
+    ("strategy", &["math", "geometry", "cutter", "toolpath", "contact", "posture"]),
     ("verify", &["math", "geometry", "cutter", "toolpath"]),
     ("post", &["math", "cutter", "toolpath"]),
-    ("job", &["math", "geometry", "cutter", "toolpath", "import", "contact", "strategy", "verify", "post"]),
+    (
+        "job",
+        &[
+            "math", "geometry", "cutter", "toolpath", "import", "contact", "posture", "strategy", "verify",
+            "post",
+        ],
+    ),
     ("wasm", &["job", "toolpath"]),
     ("cli", &["job", "import", "cutter", "contact", "geometry", "toolpath"]),
 ];

@@ -171,7 +171,8 @@ export function createForm(root, { onEdit, onVariant, onChart }) {
       const { spec } = state.draft;
       const shape = shapeOf(state.draft);
       if (groups.size === 0) build(schema);
-      const kinds = `${shape} ${schema.groups.map((group) => chosen(group, spec)?.kind ?? '').join(' ')}`;
+      const names = (/** @type {Group} */ group) => fieldsOf(group, spec).map((field) => field.name);
+      const kinds = `${shape} ${schema.groups.map((group) => [chosen(group, spec)?.kind, ...names(group)]).join(' ')}`;
       if (kinds !== shown) {
         const focused = /** @type {HTMLSelectElement | null} */ (document.activeElement)?.name;
         fillGroups(schema, spec, shape);

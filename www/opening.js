@@ -4,6 +4,7 @@
  * @import { Draft, Source, Spec } from './types.js'
  */
 import { bytes as size } from './format.js';
+import { completed } from './spec.js';
 import { t } from './text/index.js';
 
 /** Larger files than this do not fit the planner's memory together with what is computed from them. */
@@ -23,7 +24,7 @@ export function createOpener(planner, state, { onDraft, onComplaint, onError }) 
       const spec = JSON.parse(await file.text());
       const { schema, draft } = state.get();
       const known = typeof spec?.source?.kind === 'string' && spec.version === (schema?.version ?? 1);
-      return known && draft ? { ...draft.spec, ...spec } : null;
+      return known && draft && schema ? completed(schema, { ...draft.spec, ...spec }) : null;
     } catch {
       return null;
     }

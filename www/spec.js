@@ -39,14 +39,17 @@ export function chosen(group, spec) {
 }
 
 /**
- * The fields that a spec has in a group, in the order in which they are shown.
+ * The fields that count in a group of a spec, in the order in which they are shown.
  *
  * @param {Group} group
  * @param {Spec} spec
  * @returns {Field[]}
  */
 export function fieldsOf(group, spec) {
-  return [...(chosen(group, spec)?.fields ?? []), ...(group.fields ?? [])];
+  const values = read(spec, group.path) ?? {};
+  return [...(chosen(group, spec)?.fields ?? []), ...(group.fields ?? [])].filter(
+    ({ when }) => !when || when.is.includes(values[when.field]),
+  );
 }
 
 /**
@@ -75,6 +78,20 @@ export function withVariant(spec, group, kind) {
     after[field.name] = field.name in before ? before[field.name] : field.default;
   }
   return write(spec, group.path, after);
+}
+
+/**
+ * The spec with what it leaves out of its variants: it may be of a planner that had fewer fields.
+ *
+ * @param {Schema} schema
+ * @param {Spec} spec
+ */
+export function completed(schema, spec) {
+  for (const group of schema.groups) {
+    const kind = chosen(group, spec)?.kind;
+    if (kind) spec = withVariant(spec, group, kind);
+  }
+  return spec;
 }
 
 /**

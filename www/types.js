@@ -2,7 +2,9 @@
  * The shapes that page, worker and planner exchange. The planner's own documentation is the authority.
  *
  * @typedef {{ name: string, type: 'number' | 'integer' | 'boolean' | 'choice', unit?: string, min?: number,
- *   max?: number, step?: number, default: any, options?: string[], optional?: boolean }} Field
+ *   max?: number, step?: number, default: any, options?: string[], optional?: boolean,
+ *   when?: { field: string, is: string[] } }} Field
+ * A field counts only `when` the choice beside it is one of these words.
  * @typedef {{ kind: string, fields: Field[], for?: string[] }} Variant
  * @typedef {{ id: string, path: string, variants?: Variant[], fields?: Field[] }} Group
  * @typedef {{ version: number, groups: Group[] }} Schema

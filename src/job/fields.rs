@@ -8,6 +8,14 @@ pub struct Field {
     pub name: &'static str,
     /// What it holds.
     pub kind: Kind,
+    /// The choice beside it, and the words of it with which it counts; forms hide it else. Nothing if it always counts.
+    pub when: Option<(&'static str, &'static [&'static str])>,
+}
+
+impl Field {
+    const fn when(self, choice: &'static str, words: &'static [&'static str]) -> Self {
+        Self { when: Some((choice, words)), ..self }
+    }
 }
 
 /// What a setting holds.
@@ -60,11 +68,11 @@ pub struct Group {
 }
 
 const fn number(name: &'static str, unit: &'static str, range: [f64; 2], step: f64, default: f64) -> Field {
-    Field { name, kind: Kind::Number { unit, min: range[0], max: range[1], step, default } }
+    Field { name, kind: Kind::Number { unit, min: range[0], max: range[1], step, default }, when: None }
 }
 
 const fn choice(name: &'static str, options: &'static [&'static str], default: &'static str) -> Field {
-    Field { name, kind: Kind::Choice { options, default } }
+    Field { name, kind: Kind::Choice { options, default }, when: None }
 }
 
 const DIAMETER: Field = number("diameter_mm", "mm", [0.1, 200.0], 0.5, 10.0);
@@ -72,8 +80,17 @@ const CORNER: Field = number("corner_radius_mm", "mm", [0.0, 100.0], 0.1, 2.0);
 const HEIGHT: Field = number("height_mm", "mm", [0.1, 500.0], 1.0, 40.0);
 
 /// Lead: the paper of 2013 and common practice keep a few degrees so that the flat bottom does not drag.
-const LEAD: Field = number("lead_deg", "°", [0.0, 80.0], 0.5, 8.0);
-const YAW: Field = number("yaw_deg", "°", [-180.0, 180.0], 1.0, 0.0);
+const LEAD: Field = number("lead_deg", "°", [0.0, 80.0], 0.5, 8.0).when("rule", &["fixed"]);
+const YAW: Field = number("yaw_deg", "°", [-180.0, 180.0], 1.0, 0.0).when("rule", &["fixed"]);
+/// Where the lead is chosen, the bounds are [`crate::posture::Limits`].
+const CHOSEN: &[&str] = &["matched", "widest"];
+const RULE: Field = choice("rule", &["fixed", "matched", "widest"], "fixed");
+const LEAST_LEAD: Field = number("least_lead_deg", "°", [0.1, 45.0], 0.5, 2.0).when("rule", CHOSEN);
+const MOST_LEAD: Field = number("most_lead_deg", "°", [1.0, 80.0], 1.0, 45.0).when("rule", CHOSEN);
+const MOST_YAW: Field = number("most_yaw_deg", "°", [0.0, 80.0], 5.0, 30.0).when("rule", &["widest"]);
+const TURN_ALONG: Field = number("turn_along_deg_per_mm", "°/mm", [0.1, 90.0], 0.5, 4.0).when("rule", CHOSEN);
+const TURN_ACROSS: Field =
+    number("turn_across_deg_per_mm", "°/mm", [0.1, 90.0], 0.5, 8.0).when("rule", CHOSEN);
 const ORDER: Field = choice("order", &["zigzag", "zig"], "zigzag");
 
 /// The objects of a specification in the order in which a form shows them.
@@ -103,12 +120,34 @@ pub const GROUPS: &[Group] = &[
             Variant {
                 kind: "iso_parametric",
                 shapes: &["surface"],
-                fields: &[choice("along", &["u", "v"], "u"), LEAD, YAW, ORDER],
+                fields: &[
+                    choice("along", &["u", "v"], "u"),
+                    RULE,
+                    LEAD,
+                    YAW,
+                    LEAST_LEAD,
+                    MOST_LEAD,
+                    MOST_YAW,
+                    TURN_ALONG,
+                    TURN_ACROSS,
+                    ORDER,
+                ],
             },
             Variant {
                 kind: "iso_planar",
                 shapes: &["surface"],
-                fields: &[number("angle_deg", "°", [-180.0, 180.0], 5.0, 0.0), LEAD, YAW, ORDER],
+                fields: &[
+                    number("angle_deg", "°", [-180.0, 180.0], 5.0, 0.0),
+                    RULE,
+                    LEAD,
+                    YAW,
+                    LEAST_LEAD,
+                    MOST_LEAD,
+                    MOST_YAW,
+                    TURN_ALONG,
+                    TURN_ACROSS,
+                    ORDER,
+                ],
             },
             Variant {
                 kind: "raster",
@@ -148,7 +187,7 @@ pub const GROUPS: &[Group] = &[
         path: "verify",
         variants: &[],
         fields: &[
-            Field { name: "enabled", kind: Kind::Flag(true) },
+            Field { name: "enabled", kind: Kind::Flag(true), when: None },
             number("spacing_mm", "mm", [0.005, 10.0], 0.05, 0.25),
         ],
     },

@@ -5,14 +5,14 @@ use super::picture::Picture;
 use super::report::{Lengths, Report, Unreachable, Verified, minutes};
 use super::shape::Shape;
 use super::spec::{AlongSpec, OrderSpec, Spec, StrategySpec, VERSION};
-use super::tool::posture;
 use crate::contact::{DropMesh, FaceObstacle, Underside, is_in_mesh};
 use crate::cutter::Cutter;
 use crate::geometry::{Along, Face, TriMesh, Zone};
 use crate::monitor::Stage;
 use crate::post::{self, Program};
+use crate::posture::Rule;
 use crate::strategy::{self, LOOK, Linked, Planned, RasterError, RasterOptions, Refuge};
-use crate::toolpath::ClPoint;
+use crate::toolpath::{ClPoint, Posture};
 use crate::verify::{self, Options, Samples, Verification};
 use glam::DVec3;
 
@@ -71,10 +71,14 @@ pub fn plan(spec: &Spec, bytes: Option<&[u8]>, stage: &Stage) -> Result<Plan, Jo
     let emitted =
         post::apt::read(&apt).map_err(|e| JobError::Post(format!("the program does not read back: {e}")))?;
     if planned.unreached.area() > 0.0 {
-        warnings.push(format!(
-            "the cutter cannot reach {:.2} mm² in this posture; a smaller cutter or another lead may",
-            planned.unreached.area()
-        ));
+        let may = match planned.largest_fit {
+            Some(share) => format!(
+                "in any posture within the limits; one of the same shape would have to be of at most {:.2} mm diameter",
+                share * cutter.diameter
+            ),
+            None => "in this posture; a smaller cutter or another lead may".into(),
+        };
+        warnings.push(format!("the cutter cannot reach {:.2} mm² {may}", planned.unreached.area()));
     }
     if planned.unseen.area() > 0.0 {
         warnings.push(format!(
@@ -158,18 +162,18 @@ impl Plan {
 fn on_face(spec: &Spec, face: &Face, cutter: &Cutter, stage: &Stage) -> Result<(Planned, Linked), JobError> {
     let finish = spec.finish()?;
     let passing = stage.part("Planning", 0.0, 0.95);
+    let rule = spec.strategy.rule()?.unwrap_or(Rule::Fixed(Posture::default()));
     let planned = match spec.strategy {
-        StrategySpec::IsoParametric { along, lead_deg, yaw_deg, order } => {
+        StrategySpec::IsoParametric { along, order, .. } => {
             let along = match along {
                 AlongSpec::U => Along::U,
                 AlongSpec::V => Along::V,
             };
-            let posture = posture(lead_deg, yaw_deg);
-            strategy::iso_parametric(face, cutter, along, posture, finish, order.into(), &passing)?
+            strategy::iso_parametric(face, cutter, along, rule, finish, order.into(), &passing)?
         }
-        StrategySpec::IsoPlanar { angle_deg, lead_deg, yaw_deg, order } => {
-            let (angle, posture) = (angle_deg.to_radians(), posture(lead_deg, yaw_deg));
-            strategy::iso_planar(face, cutter, angle, posture, finish, order.into(), &passing)?
+        StrategySpec::IsoPlanar { angle_deg, order, .. } => {
+            let angle = angle_deg.to_radians();
+            strategy::iso_planar(face, cutter, angle, rule, finish, order.into(), &passing)?
         }
         StrategySpec::Raster { .. } => {
             return Err(JobError::field(
@@ -234,7 +238,8 @@ fn on_mesh(
     let is_clear = |cl: &ClPoint| !is_in_mesh(&lowered, &under, cl.tip - DVec3::Z * LOOK);
     let refuge = Refuge::Above(top + how.clearance);
     let linked = strategy::link(&passes, &how, &refuge, &is_clear, &stage.part("Joining passes", 0.95, 1.0))?;
-    Ok((Planned { passes, unreached: raster.unreached, unseen: raster.unseen }, linked))
+    let (unreached, unseen) = (raster.unreached, raster.unseen);
+    Ok((Planned { passes, unreached, unseen, largest_fit: None }, linked))
 }
 
 /// The shape of `spec` to draw before anything is planned.

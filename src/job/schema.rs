@@ -26,7 +26,7 @@ fn variant(v: &Variant) -> Value {
 }
 
 fn field(f: &Field) -> Value {
-    match f.kind {
+    let mut shown = match f.kind {
         Kind::Number { unit, min, max, step, default } => json!({
             "name": f.name, "type": "number", "unit": unit, "min": min, "max": max, "step": step, "default": default,
         }),
@@ -34,7 +34,11 @@ fn field(f: &Field) -> Value {
             json!({ "name": f.name, "type": "choice", "options": options, "default": default })
         }
         Kind::Flag(default) => json!({ "name": f.name, "type": "boolean", "default": default }),
+    };
+    if let Some((choice, words)) = f.when {
+        shown["when"] = json!({ "field": choice, "is": words });
     }
+    shown
 }
 
 /// The settings that apply to `object`, by its `kind`.

@@ -164,9 +164,34 @@ pub enum CutterSpec {
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 #[expect(missing_docs, reason = "names and units are the table's in fields.rs")]
 pub enum StrategySpec {
-    IsoParametric { along: AlongSpec, lead_deg: f64, yaw_deg: f64, order: OrderSpec },
-    IsoPlanar { angle_deg: f64, lead_deg: f64, yaw_deg: f64, order: OrderSpec },
-    Raster { angle_deg: f64, order: OrderSpec },
+    IsoParametric {
+        along: AlongSpec,
+        rule: RuleSpec,
+        lead_deg: f64,
+        yaw_deg: f64,
+        least_lead_deg: f64,
+        most_lead_deg: f64,
+        most_yaw_deg: f64,
+        turn_along_deg_per_mm: f64,
+        turn_across_deg_per_mm: f64,
+        order: OrderSpec,
+    },
+    IsoPlanar {
+        angle_deg: f64,
+        rule: RuleSpec,
+        lead_deg: f64,
+        yaw_deg: f64,
+        least_lead_deg: f64,
+        most_lead_deg: f64,
+        most_yaw_deg: f64,
+        turn_along_deg_per_mm: f64,
+        turn_across_deg_per_mm: f64,
+        order: OrderSpec,
+    },
+    Raster {
+        angle_deg: f64,
+        order: OrderSpec,
+    },
 }
 
 /// The parameter that passes follow.
@@ -176,6 +201,16 @@ pub enum StrategySpec {
 pub enum AlongSpec {
     U,
     V,
+}
+
+/// How the cutter's lead and yaw are found: stated, by curvature matching, or for the widest strips.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[expect(missing_docs, reason = "the names say it")]
+pub enum RuleSpec {
+    Fixed,
+    Matched,
+    Widest,
 }
 
 /// Whether passes go one way or to and fro.

@@ -1,8 +1,9 @@
 //! From a specification's settings to the core's own types.
 
 use super::error::JobError;
-use super::spec::{CutterSpec, OrderSpec, Spec};
+use super::spec::{CutterSpec, OrderSpec, RuleSpec, Spec, StrategySpec};
 use crate::cutter::{Cutter, CutterError};
+use crate::posture::{Limits, Rule};
 use crate::strategy::{Finish, Linking, Order};
 use crate::toolpath::Posture;
 
@@ -39,9 +40,52 @@ impl From<OrderSpec> for Order {
     }
 }
 
-/// A posture from degrees.
-pub(super) fn posture(lead_deg: f64, yaw_deg: f64) -> Posture {
-    Posture { lead: lead_deg.to_radians(), yaw: yaw_deg.to_radians() }
+impl StrategySpec {
+    /// How the cutter leans; nothing for a strategy that keeps it upright.
+    ///
+    /// Errors name the setting that does not go with another.
+    pub(super) fn rule(&self) -> Result<Option<Rule>, JobError> {
+        let (Self::IsoParametric {
+            rule,
+            lead_deg,
+            yaw_deg,
+            least_lead_deg,
+            most_lead_deg,
+            most_yaw_deg,
+            turn_along_deg_per_mm,
+            turn_across_deg_per_mm,
+            ..
+        }
+        | Self::IsoPlanar {
+            rule,
+            lead_deg,
+            yaw_deg,
+            least_lead_deg,
+            most_lead_deg,
+            most_yaw_deg,
+            turn_along_deg_per_mm,
+            turn_across_deg_per_mm,
+            ..
+        }) = self
+        else {
+            return Ok(None);
+        };
+        let posture = Posture { lead: lead_deg.to_radians(), yaw: yaw_deg.to_radians() };
+        if *rule == RuleSpec::Fixed {
+            return Ok(Some(Rule::Fixed(posture)));
+        }
+        if most_lead_deg < least_lead_deg {
+            let message = format!("must be at least {least_lead_deg}°, the least lead");
+            return Err(JobError::field("strategy.most_lead_deg", message));
+        }
+        let limits = Limits {
+            least_lead: least_lead_deg.to_radians(),
+            most_lead: most_lead_deg.to_radians(),
+            most_yaw: most_yaw_deg.to_radians(),
+            most_turn: [turn_along_deg_per_mm, turn_across_deg_per_mm].map(|turn| turn.to_radians()),
+        };
+        Ok(Some(if *rule == RuleSpec::Matched { Rule::Matched(limits) } else { Rule::Widest(limits) }))
+    }
 }
 
 impl Spec {

@@ -1,14 +1,15 @@
 //! Passes along the level lines of a field, each as far from the last as its strips allow.
 
 use super::fill;
-use super::probe::{Probe, Reach, Setup};
+use super::probe::{GOUGE, Probe, Reach, Setup, contact_frame};
 use super::spacing::{Front, Toward};
 use super::{Finish, Order, Planned, StrategyError};
 use super::{unreached, walk};
 use crate::contact::FaceObstacle;
 use crate::cutter::Cutter;
-use crate::geometry::{Domain, Face, FaceGrid, Field, FieldGrid, IsoLine, Range, Zone};
+use crate::geometry::{Domain, Face, FaceGrid, Field, FieldGrid, IsoLine, Range, Uv, Zone};
 use crate::monitor::{Cancelled, Stage};
+use crate::posture::{Ground, Rule, choose};
 use crate::toolpath::{Pass, Posture};
 
 /// A family of level lines and the strips on them.
@@ -32,20 +33,25 @@ pub(super) struct Candidate {
 }
 
 impl<'a> Family<'a> {
-    /// The level lines of `field` on `face`, for a cutter held at `posture`.
+    /// The level lines of `field` on `face`, for a cutter that leans by `rule`.
     pub(super) fn new(
         face: &'a Face,
         cutter: &'a Cutter,
-        posture: Posture,
+        rule: &Rule,
         finish: Finish,
         (field, column): (Field, Field),
         order: Order,
-    ) -> Self {
-        let cell = probe_spacing(cutter, posture, &finish);
+        stage: &Stage,
+    ) -> Result<Self, Cancelled> {
+        let obstacle = FaceObstacle::for_cutter(face, cutter);
+        let feed = |uv, reversed| contact_frame(face, field, uv, reversed);
+        let ground =
+            Ground { face, obstacle: &obstacle, cutter, feed: &feed, scallop: finish.scallop, gouge: GOUGE };
+        let postures = choose(rule, &ground, order == Order::ZigZag, stage)?;
+        let cell = probe_spacing(cutter, postures.typical(), &finish);
         let grid = FaceGrid::new(face, cell, 24, 1200);
         let (nu, nv) = grid.size();
         let lines = FieldGrid::new(face, field, grid);
-        let obstacle = FaceObstacle::for_cutter(face, cutter);
         let domain = face.domain();
         let (low, high) = lines.range();
         let levels = parameter_range(&domain, field).unwrap_or(Range::open(low, high));
@@ -56,8 +62,24 @@ impl<'a> Family<'a> {
             Field::Along(_) => 2.0 * cell,
         };
         let column_period = parameter_range(&domain, column).filter(|r| r.periodic).map(|r| r.length());
-        let setup = Setup { face, obstacle, cutter, posture, finish, field, column, strip: 2.0 * cell };
-        Self { setup, lines, levels, nominal, column_period, order }
+        let setup = Setup { face, obstacle, cutter, postures, finish, field, column, strip: 2.0 * cell };
+        Ok(Self { setup, lines, levels, nominal, column_period, order })
+    }
+
+    /// The passes along the level lines of `field` on `face`, for a cutter that leans by `rule`.
+    pub(super) fn of_rule(
+        face: &'a Face,
+        cutter: &'a Cutter,
+        rule: &Rule,
+        finish: Finish,
+        fields: (Field, Field),
+        order: Order,
+        stage: &Stage,
+    ) -> Result<Planned, StrategyError> {
+        let choosing = if matches!(rule, Rule::Fixed(_)) { 0.0 } else { 0.15 };
+        let first = stage.part("Choosing postures", 0.0, choosing);
+        let family = Self::new(face, cutter, rule, finish, fields, order, &first)?;
+        family.plan(&stage.part("Spacing passes", choosing, 1.0))
     }
 
     /// The passes, from the lowest level to the highest.
@@ -71,7 +93,8 @@ impl<'a> Family<'a> {
         }
         let unreached =
             unreached::zone(&self.setup, &tracks, &stage.part("Mapping what is unreachable", 0.95, 1.0))?;
-        Ok(Planned { passes, unreached, unseen: Zone::empty() })
+        let largest_fit = self.setup.postures.largest_fit();
+        Ok(Planned { passes, unreached, unseen: Zone::empty(), largest_fit })
     }
 
     pub(super) fn front(&self, candidate: &Candidate, toward: Toward) -> Front {
@@ -121,11 +144,39 @@ impl<'a> Family<'a> {
         1e-9 * self.levels.length()
     }
 
+    /// `line`, a piece of one of its level's, with as much more at its ends as the strips there lie aslant: where postures are
+    /// chosen, strips are wide, and what a partial pass is for would lie beside its end.
+    fn extended(&self, line: &IsoLine, reversed: bool) -> IsoLine {
+        let mut nodes = line.nodes.clone();
+        let last = nodes.len() - 1;
+        let place = |whole: &IsoLine| whole.nodes.windows(nodes.len()).position(|w| w[0] == nodes[0]);
+        let found = || self.lines.lines(line.level).into_iter().find_map(|l| place(&l).map(|at| (l, at)));
+        if self.setup.postures.is_fixed() || line.closed {
+            return line.clone();
+        }
+        let Some((whole, at)) = found() else { return line.clone() };
+        let mut way = [nodes[0], nodes[last]].map(|uv| self.setup.overlap(uv, reversed));
+        let point = |uv: Uv| self.setup.face.surface.point(uv);
+        let (mut first, mut end) = (at, at + last);
+        while first > 0 && way[0] > 0.0 {
+            way[0] -= point(whole.nodes[first]).distance(point(whole.nodes[first - 1]));
+            first -= 1;
+        }
+        while end + 1 < whole.nodes.len() && way[1] > 0.0 {
+            way[1] -= point(whole.nodes[end]).distance(point(whole.nodes[end + 1]));
+            end += 1;
+        }
+        nodes = whole.nodes[first..=end].to_vec();
+        IsoLine { nodes, ..*line }
+    }
+
     /// The passes on the lines of `tracks`.
     fn walk(&self, tracks: &[Candidate], stage: &Stage) -> Result<Vec<Pass>, Cancelled> {
         let per_track = stage.map(tracks.len(), |i| {
             let track = &tracks[i];
-            let pass = |line| walk::passes(&self.setup, line, track.reversed);
+            let pass = |line: &IsoLine| {
+                walk::passes(&self.setup, &self.extended(line, track.reversed), track.reversed)
+            };
             if track.reversed {
                 track.lines.iter().rev().flat_map(pass).collect::<Vec<_>>()
             } else {

@@ -32,6 +32,9 @@ pub struct Planned {
     pub unreached: Zone,
     /// What an upright cutter does not see; empty for a posture that follows the surface.
     pub unseen: Zone,
+    /// Where postures are chosen and the cutter fits in none in places: how much smaller the largest cutter of its shape is
+    /// that fits there, as a share of it.
+    pub largest_fit: Option<f64>,
 }
 
 /// Why there is no path.

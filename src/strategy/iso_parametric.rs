@@ -5,9 +5,10 @@ use super::{Finish, Order, Planned, StrategyError};
 use crate::cutter::Cutter;
 use crate::geometry::{Along, Face, Field};
 use crate::monitor::Stage;
-use crate::toolpath::Posture;
+use crate::posture::Rule;
 
-/// Passes of `face` that run along the parameter `along` at steps of the other, the axis held at `posture` in every contact frame.
+/// Passes of `face` that run along the parameter `along` at steps of the other, the axis
+/// leaning by `rule`.
 ///
 /// Each pass lies as far from the last as lets their strips meet everywhere, so the spacing of a whole pass follows its
 /// worst point. On a periodic face the last pass meets the first.
@@ -15,7 +16,7 @@ pub fn iso_parametric(
     face: &Face,
     cutter: &Cutter,
     along: Along,
-    posture: Posture,
+    rule: Rule,
     finish: Finish,
     order: Order,
     stage: &Stage,
@@ -24,5 +25,5 @@ pub fn iso_parametric(
         Along::U => (Field::V, Field::U),
         Along::V => (Field::U, Field::V),
     };
-    Family::new(face, cutter, posture, finish, fields, order).plan(stage)
+    Family::of_rule(face, cutter, &rule, finish, fields, order, stage)
 }

@@ -6,18 +6,19 @@ use crate::cutter::Cutter;
 use crate::geometry::{Face, FaceGrid, Field};
 use crate::math::frame::Frame;
 use crate::monitor::Stage;
-use crate::toolpath::Posture;
+use crate::posture::Rule;
 use glam::DVec3;
 
 /// Passes along sections of `face` by parallel planes that hold the face's mean normal, turned about it by `angle`
-/// (radians; 0 is along the x axis as seen along the mean normal), the axis held at `posture` in every contact frame.
+/// (radians; 0 is along the x axis as seen along the mean normal), the axis
+/// leaning by `rule`.
 ///
 /// Each pass lies as far from the last as lets their strips meet everywhere.
 pub fn iso_planar(
     face: &Face,
     cutter: &Cutter,
     angle: f64,
-    posture: Posture,
+    rule: Rule,
     finish: Finish,
     order: Order,
     stage: &Stage,
@@ -27,7 +28,7 @@ pub fn iso_planar(
     let (s, c) = libm::sincos(angle);
     let along = flat.f * c + flat.b * s;
     let fields = (Field::Along(up.cross(along)), Field::Along(along));
-    Family::new(face, cutter, posture, finish, fields, order).plan(stage)
+    Family::of_rule(face, cutter, &rule, finish, fields, order, stage)
 }
 
 /// The unit mean of the face's normals, weighted by area; `+z` for a face that closes on itself and has none.

@@ -11,6 +11,7 @@ mod placing;
 mod probe;
 mod raster;
 mod spacing;
+mod under;
 mod unreached;
 mod walk;
 

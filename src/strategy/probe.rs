@@ -1,11 +1,12 @@
 //! Contact and strip at the points of a level line.
 
 use super::Finish;
-use crate::contact::{Edge, FaceObstacle, FaceStrip, StripLimits, cl_of, face_strip};
+use crate::contact::{Edge, FaceObstacle, FaceStrip, StripLimits, cl_of};
 use crate::cutter::Cutter;
 use crate::geometry::{Curvature, Face, Field, IsoLine, Jet, Uv};
 use crate::math::frame::Frame;
-use crate::toolpath::{CcPoint, ClPoint, Posture, Station};
+use crate::posture::{PostureField, moving_strip};
+use crate::toolpath::{CcPoint, ClPoint, Station};
 use glam::DVec3;
 
 /// Everything that decides what the cutter does at a point of a family of level lines.
@@ -14,7 +15,7 @@ pub(super) struct Setup<'a> {
     pub(super) face: &'a Face,
     pub(super) obstacle: FaceObstacle,
     pub(super) cutter: &'a Cutter,
-    pub(super) posture: Posture,
+    pub(super) postures: PostureField,
     pub(super) finish: Finish,
     /// Passes are its level lines.
     pub(super) field: Field,
@@ -52,21 +53,26 @@ pub(super) enum Probe {
     Blocked,
 }
 
+/// Jet and frame at `uv` with feed along the level line of `field`, higher levels to the left, or to the right if
+/// `reversed`; `None` where the field stands still or the face has no normal.
+pub(super) fn contact_frame(face: &Face, field: Field, uv: Uv, reversed: bool) -> Option<(Jet, Frame)> {
+    let (jet, n) = face.at(uv)?;
+    let rise = field.surface_gradient(&jet);
+    let feed = rise.cross(n) * if reversed { -1.0 } else { 1.0 };
+    let frame = Frame::from_normal(n, feed)?;
+    (frame.f.is_finite() && frame.b.is_finite()).then_some((jet, frame))
+}
+
 impl Setup<'_> {
-    /// The frame at `uv` with feed along the level line, higher levels to the left, or to the right if `reversed`;
-    /// `None` where the field stands still or the face has no normal.
+    /// The [`contact_frame`] at `uv`.
     pub(super) fn frame(&self, uv: Uv, reversed: bool) -> Option<(Jet, Frame)> {
-        let (jet, n) = self.face.at(uv)?;
-        let rise = self.field.surface_gradient(&jet);
-        let feed = rise.cross(n) * if reversed { -1.0 } else { 1.0 };
-        let frame = Frame::from_normal(n, feed)?;
-        (frame.f.is_finite() && frame.b.is_finite()).then_some((jet, frame))
+        contact_frame(self.face, self.field, uv, reversed)
     }
 
     /// The station at `uv`, clear or not.
     pub(super) fn station(&self, uv: Uv, reversed: bool) -> Option<Station> {
         let (jet, frame) = self.frame(uv, reversed)?;
-        let cc = CcPoint { point: jet.p, frame, posture: self.posture };
+        let cc = CcPoint { point: jet.p, frame, posture: self.postures.at(uv, reversed) };
         Some(Station { cc, cl: cl_of(self.cutter, &cc) })
     }
 
@@ -85,11 +91,19 @@ impl Setup<'_> {
 
     /// The strip at `uv` on a level line; `None` where the cutter cannot go.
     pub(super) fn strip(&self, uv: Uv, reversed: bool) -> Option<FaceStrip> {
-        let (jet, frame) = self.frame(uv, reversed)?;
-        let cc = CcPoint { point: jet.p, frame, posture: self.posture };
-        if !self.fits(&Station { cc, cl: cl_of(self.cutter, &cc) }, uv) {
+        if !self.fits(&self.station(uv, reversed)?, uv) {
             return None;
         }
+        let strip = self.moving_strip(uv, reversed)?;
+        let gouges = matches!(strip.left, Edge::Gouge(_)) || matches!(strip.right, Edge::Gouge(_));
+        (!gouges).then_some(strip)
+    }
+
+    /// The strip at `uv` whether the cutter can go there or not; `None` at a pole.
+    fn moving_strip(&self, uv: Uv, reversed: bool) -> Option<FaceStrip> {
+        let (jet, frame) = self.frame(uv, reversed)?;
+        let (posture, turning) = self.postures.moving(uv, reversed, &jet, &frame);
+        let cc = CcPoint { point: jet.p, frame, posture };
         let k = Curvature::of(&jet, &frame)?;
         let geodesic = self.field.geodesic_curvature(&jet, &frame, k.ff);
         let geodesic = if geodesic.is_finite() { geodesic } else { 0.0 };
@@ -97,9 +111,45 @@ impl Setup<'_> {
         // Chords over a hollow run above the path by up to the chord tolerance, and the cusps with them.
         let lift = if k.ff > 0.0 { self.finish.chord } else { 0.0 };
         let limits = StripLimits { scallop: self.finish.scallop - lift, gouge: GOUGE };
-        let strip = face_strip(self.face, self.cutter, &cc, uv, spin, limits)?;
-        let gouges = matches!(strip.left, Edge::Gouge(_)) || matches!(strip.right, Edge::Gouge(_));
-        (!gouges).then_some(strip)
+        moving_strip(self.face, self.cutter, &cc, uv, (spin, turning), limits)
+    }
+
+    /// About how wide the strip at `uv` is, mm: the one on flat ground, or where postures are chosen and strips may be much
+    /// wider, its own.
+    pub(super) fn breadth(&self, uv: Uv, reversed: bool) -> f64 {
+        if self.postures.is_fixed() {
+            return self.strip;
+        }
+        let (Some((jet, frame)), Some(strip)) = (self.frame(uv, reversed), self.moving_strip(uv, reversed))
+        else {
+            return self.strip;
+        };
+        let half = |edge: Edge| match edge {
+            Edge::Reached(foot) | Edge::Border(foot) => {
+                (self.face.surface.point(foot) - jet.p).dot(frame.b).abs()
+            }
+            Edge::Gouge(_) => 0.0,
+        };
+        (2.0 * half(strip.left).max(half(strip.right))).max(self.strip)
+    }
+
+    /// How far the edges of the strip at `uv` lie behind its contact or ahead of it, mm, and a little more.
+    pub(super) fn overlap(&self, uv: Uv, reversed: bool) -> f64 {
+        0.6 * self.breadth(uv, reversed) * self.strip_lean(uv, reversed)
+    }
+
+    /// How far the strip at `uv` lies aslant: what its edges are ahead of the contact or behind it, as a share of what they are
+    /// beside it, the larger of the two; 0 where the cutter cannot go.
+    pub(super) fn strip_lean(&self, uv: Uv, reversed: bool) -> f64 {
+        let (Some(strip), Some((jet, frame))) = (self.strip(uv, reversed), self.frame(uv, reversed)) else {
+            return 0.0;
+        };
+        let lean = |edge: Edge| match edge {
+            Edge::Reached(foot) | Edge::Border(foot) => self.lean(&frame, jet.p, foot),
+            Edge::Gouge(_) => 0.0,
+        };
+        // A border right at the contact gives no direction.
+        [lean(strip.left), lean(strip.right)].into_iter().filter(|l| l.is_finite()).fold(0.0, f64::max)
     }
 
     /// What the cutter does at `uv`.

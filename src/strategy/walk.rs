@@ -1,10 +1,12 @@
 //! Stations along a level line, as far apart as the chord tolerance allows.
 
 use super::probe::{GOUGE, Setup};
-use crate::contact::{Edge, cl_of, contact_of};
+use super::under;
+use crate::contact::{cl_of, contact_of};
 use crate::geometry::{Curvature, IsoLine, Range, Uv};
 use crate::math::frame::Frame;
-use crate::toolpath::{CcPoint, ClPoint, Pass, Station};
+use crate::toolpath::{CcPoint, ClPoint, Pass, Posture, Station};
+use glam::DVec3;
 
 /// A station on the line, and whether the cutter can stand there.
 #[derive(Debug, Clone, Copy)]
@@ -40,6 +42,13 @@ const MOST_TURN: f64 = 0.052;
 /// The most that the cutter turns beyond a border, radians: a line that ends on a rolled-over edge of a tenth of a
 /// millimetre would otherwise wind up around it, over ground that is not there.
 const MOST_RUN_OUT_TURN: f64 = 0.4;
+
+/// How many times more moves there are beyond a border where postures are chosen.
+const FINER: f64 = 3.0;
+
+/// How much more lead is tried there, radians, times the squares of so many numbers.
+const MORE_LEAD: f64 = 0.002;
+const MORE_LEADS: u32 = 7;
 
 struct Walker<'a> {
     setup: &'a Setup<'a>,
@@ -101,24 +110,26 @@ impl Walker<'_> {
         let low = -(self.setup.finish.chord.min(GOUGE));
         let high = self.setup.finish.chord;
         [0.5, 0.25, 0.75].iter().all(|&s| {
-            let Some((_, m)) = self.station(ta + (tb - ta) * s) else { return false };
+            let Some((uv, m)) = self.station(ta + (tb - ta) * s) else { return false };
             let Some(axis) = a.station.cl.axis.lerp(b.station.cl.axis, s).try_normalize() else {
                 return false;
             };
             let cl = ClPoint { tip: a.station.cl.tip.lerp(b.station.cl.tip, s), axis };
-            self.lifts(&cl, &m).iter().all(|lift| (low..=high).contains(lift))
+            let half = 0.5 * self.setup.breadth(uv, self.reversed);
+            self.lifts(&cl, &m, half).iter().all(|lift| (low..=high).contains(lift))
+                && (self.setup.postures.is_fixed() || self.rim_drop(&cl, &m) >= low)
         })
     }
 
     /// How far the cutter at `cl` stands above where it stands at the station `m`, mm, negative for below: towards the
-    /// contact, and towards the two edges of its strip, where a roll about the feed counts.
-    fn lifts(&self, cl: &ClPoint, m: &Station) -> [f64; 3] {
+    /// contact, and towards the two edges of its strip, `half` its width away, where a roll about the feed counts.
+    fn lifts(&self, cl: &ClPoint, m: &Station, half: f64) -> [f64; 3] {
         let cutter = self.setup.cutter;
         let frame = m.cc.frame;
         let s = libm::sin(m.cc.posture.lead);
-        // The envelope's slope against the surface at an edge, half a strip away.
+        // The envelope's slope against the surface at an edge.
         let across = (s / (cutter.center_radius + cutter.corner_radius * s)).min(1.0);
-        let slope = 0.5 * self.setup.strip * across;
+        let slope = half * across;
         [0.0, slope, -slope].map(|slope| {
             let n = (frame.n + frame.b * slope).normalize();
             match (contact_of(cutter, cl, n), contact_of(cutter, &m.cl, n)) {
@@ -126,6 +137,19 @@ impl Walker<'_> {
                 _ => (cl.tip - m.cl.tip).dot(n),
             }
         })
+    }
+
+    /// How far the rim of the bottom, its rear and its two sides, of the cutter at `cl` lies above where it lies at the
+    /// station `m`, mm: the least, negative for below. A posture that is chosen leaves hardly any room under it.
+    fn rim_drop(&self, cl: &ClPoint, m: &Station) -> f64 {
+        let cutter = self.setup.cutter;
+        let rim = |at: &ClPoint, toward: DVec3| {
+            let flat = (toward - at.axis * at.axis.dot(toward)).normalize_or_zero();
+            at.tip + flat * cutter.center_radius
+        };
+        let Frame { f, b, n } = m.cc.frame;
+        let drop = |toward: DVec3| (rim(cl, toward) - rim(&m.cl, toward)).dot(n);
+        drop(-f).min(drop(b)).min(drop(-b))
     }
 
     /// The clear runs of at least two stations.
@@ -172,36 +196,57 @@ impl Walker<'_> {
         // The border leans by the first, the strip by the second; where either is extreme, going all the way would cost
         // more than it finishes.
         let border_lean = (border.dot(frame.f) / border.dot(frame.b)).abs();
-        let strip_lean = self.strip_lean(uv, end);
+        let strip_lean = self.setup.strip_lean(uv, self.reversed);
         let lean = [border_lean, strip_lean].map(|l| if l < 6.0 { l } else { 0.0 });
-        let way = self.setup.strip * (0.15 + 0.6 * (lean[0] + lean[1]));
+        let way = self.setup.breadth(uv, self.reversed) * (0.15 + 0.6 * (lean[0] + lean[1]));
         let Some(k) = Curvature::of(&jet, &frame) else { return Vec::new() };
         let [bend, twist] = [k.ff, k.fb].map(|k| k.clamp(-MOST_RUN_OUT_TURN / way, MOST_RUN_OUT_TURN / way));
         // As many moves as the chord of that curvature and the turn of the axis ask for.
         let chord = (8.0 * self.setup.finish.chord.min(GOUGE) / bend.abs().max(1e-6)).sqrt();
         let turn = libm::hypot(bend, twist) * way / MOST_TURN;
-        let count = (way / chord).max(turn).ceil().clamp(1.0, 64.0) as usize;
+        // A posture that is chosen leaves hardly any room under the rear, which then reaches back over the border.
+        let finer = if self.setup.postures.is_fixed() { 1.0 } else { FINER };
+        let count = (finer * (way / chord).max(turn)).ceil().clamp(1.0, 64.0) as usize;
+        let chosen = !self.setup.postures.is_fixed();
         let beyond = |i: usize| {
             let s = toward * way * i as f64 / count as f64;
-            let n = (frame.n - (frame.f * bend + frame.b * twist) * s).normalize();
-            let point = end.cc.point + frame.f * s + frame.n * (0.5 * bend * s * s);
-            let frame = Frame::from_normal(n, frame.f + frame.n * (bend * s))?;
-            let cc = CcPoint { point, frame, ..end.cc };
-            let station = Station { cc, cl: cl_of(self.setup.cutter, &cc) };
-            self.setup.is_off(&station.cl).then_some(station)
+            let (point, n, along) = if chosen {
+                arc(&end.cc, [bend, twist], s)
+            } else {
+                let n = (frame.n - (frame.f * bend + frame.b * twist) * s).normalize();
+                let point = end.cc.point + frame.f * s + frame.n * (0.5 * bend * s * s);
+                (point, n, frame.f + frame.n * (bend * s))
+            };
+            let frame = Frame::from_normal(n, along)?;
+            let at = |lead: f64| {
+                let cc = CcPoint { point, frame, posture: Posture { lead, ..end.cc.posture } };
+                Station { cc, cl: cl_of(self.setup.cutter, &cc) }
+            };
+            let lead = end.cc.posture.lead;
+            if !chosen {
+                return Some(at(lead)).filter(|station| self.setup.is_off(&station.cl));
+            }
+            // What goes on beyond a border is a guess at the surface: more lead makes up for it.
+            (0..MORE_LEADS).map(|k| at(lead + MORE_LEAD * f64::from(k * k))).find(|station| {
+                self.setup.is_off(&station.cl)
+                    && under::least_under(self.setup.face, self.setup.cutter, &station.cl, uv) >= -GOUGE
+            })
         };
         (1..=count).map_while(beyond).collect()
     }
+}
 
-    /// How far the strip at `end` lies aslant: what its edges are ahead or behind the contact, as a share of what they
-    /// are beside it, the larger of the two.
-    fn strip_lean(&self, uv: Uv, end: &Station) -> f64 {
-        let Some(strip) = self.setup.strip(uv, self.reversed) else { return 0.0 };
-        let lean = |edge: Edge| match edge {
-            Edge::Reached(foot) | Edge::Border(foot) => self.setup.lean(&end.cc.frame, end.cc.point, foot),
-            Edge::Gouge(_) => 0.0,
-        };
-        // One that lies straight ahead has no direction to go by.
-        [lean(strip.left), lean(strip.right)].into_iter().filter(|l| l.is_finite()).fold(0.0, f64::max)
-    }
+/// Point, normal and direction `s` mm beyond a contact, where the surface bends and twists along the feed as it does there.
+fn arc(cc: &CcPoint, [bend, twist]: [f64; 2], s: f64) -> (DVec3, DVec3, DVec3) {
+    let Frame { f, b, n } = cc.frame;
+    let (sine, cosine) = libm::sincos(bend * s);
+    // Chord and sagitta of the arc, also where it is almost straight.
+    let half = 0.5 * bend * s;
+    let chord = if half == 0.0 { s } else { s * libm::sin(half) / half };
+    let (half_sine, half_cosine) = libm::sincos(half);
+    let point = cc.point + (f * half_cosine + n * half_sine) * chord;
+    let along = f * cosine + n * sine;
+    let (twist_sine, twist_cosine) = libm::sincos(twist * s);
+    let normal = (n * cosine - f * sine) * twist_cosine - b * twist_sine;
+    (point, normal, along)
 }

@@ -1,0 +1,81 @@
+//! The least leads at which the cutter digs in nowhere, over the whole face.
+
+use super::clear::{is_clear, least_clear, least_local};
+use super::lattice::Lattice;
+use super::{Ground, Limits};
+use crate::monitor::{Cancelled, Stage};
+use crate::toolpath::Posture;
+
+/// Rounds of raising what is not clear; what is raised last is not tested again, but more lead seldom digs in.
+const ROUNDS: usize = 4;
+
+/// The least leads at which the cutter does not dig in right beside its contact; the least of all where it does whatever
+/// its lead, since nothing is gained by more.
+pub(super) fn local_leads(
+    ground: &Ground,
+    limits: &Limits,
+    lattice: &Lattice,
+    yaws: &[f64],
+    stage: &Stage,
+) -> Result<Vec<f64>, Cancelled> {
+    stage.map(yaws.len(), |i| {
+        least_local(ground, ground.cutter, &lattice.nodes[i], yaws[i], limits).unwrap_or(limits.least_lead)
+    })
+}
+
+/// The least leads that nodes and places between them need, no less than `floors`, and no two neighbours' farther apart
+/// than `allowed`: for given floors no other choice has less lead anywhere.
+///
+/// Between nodes leads are means of the nine around: each is therefore no less than what any of its neighbours needs.
+pub(super) fn spread(lattice: &Lattice, floors: &[f64], allowed: &[f64]) -> Vec<f64> {
+    lattice.raised(lattice.largest_around(floors), allowed)
+}
+
+/// Raises `floors` until the cutter is clear of the face at every node with the leads that they [`spread`] to, which come
+/// back with the nodes at which it fits in no way.
+pub(super) fn clear_leads(
+    ground: &Ground,
+    limits: &Limits,
+    lattice: &Lattice,
+    yaws: &[f64],
+    floors: &mut [f64],
+    allowed: &[f64],
+    stage: &Stage,
+) -> Result<(Vec<f64>, Vec<usize>), Cancelled> {
+    let mut leads = spread(lattice, floors, allowed);
+    let mut tested = vec![f64::NAN; leads.len()];
+    let mut fits = vec![true; leads.len()];
+    for round in 0..ROUNDS {
+        let part =
+            stage.part("Choosing postures", round as f64 / ROUNDS as f64, (round + 1) as f64 / ROUNDS as f64);
+        let open: Vec<usize> = (0..leads.len())
+            .filter(|&i| leads[i] != tested[i] && lattice.nodes[i].contact.is_some())
+            .collect();
+        // What is asked for each: nothing if clear, else the lead that is.
+        let found = part.map(open.len(), |k| {
+            let i = open[k];
+            let posture = Posture { lead: leads[i], yaw: yaws[i] };
+            let node = &lattice.nodes[i];
+            (!is_clear(ground, ground.cutter, node, posture))
+                .then(|| least_clear(ground, ground.cutter, node, posture, limits))
+        })?;
+        let mut raised = false;
+        for (&i, found) in open.iter().zip(&found) {
+            tested[i] = leads[i];
+            match found {
+                None => {}
+                Some(Some(lead)) => {
+                    floors[i] = *lead;
+                    raised = true;
+                }
+                Some(None) => fits[i] = false,
+            }
+        }
+        if !raised {
+            break;
+        }
+        leads = spread(lattice, floors, allowed);
+    }
+    let misfits = (0..fits.len()).filter(|&i| !fits[i]).collect();
+    Ok((leads, misfits))
+}
