@@ -93,7 +93,7 @@ const FILES = [
     settings: [
       ['cutter.kind', 'ball'],
       ['cutter.diameter_mm', 6],
-      ['tolerance.scallop_mm', 0.4],
+      ['tolerance.scallop_mm', 0.1],
       // Most of this mesh lies under its top, where samples cost time and prove nothing.
       ['verify.spacing_mm', 2],
     ],

@@ -34,7 +34,7 @@ impl Piece {
 /// Facets less steep than this, their normal's z, are seen by the slices well enough but for their rims.
 const STEEP: f64 = 0.85;
 /// How far inside the spots of a rim stand, in lengths of a piece, so that the facet is the one they are seen on.
-const INSIDE: f64 = 0.02;
+const INSIDE: f64 = 0.001;
 /// What lies deeper than this below the top, mm, is another layer and not rounding.
 pub(super) const COVERED: f64 = 1e-4;
 /// Facets a task.
