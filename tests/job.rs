@@ -72,16 +72,6 @@ fn strategies_keep_their_promise_on_analytic_surfaces() {
 }
 
 #[test]
-fn planes_at_an_angle_reach_into_the_corners() {
-    let mut spec = job::gallery()[0].spec.clone();
-    for angle_deg in [15.0, 30.0] {
-        let order = job::OrderSpec::Zigzag;
-        spec.strategy = job::StrategySpec::IsoPlanar { angle_deg, lead_deg: 8.0, yaw_deg: 0.0, order };
-        assert_keeps(&spec, &proven(&planned(&spec, None)));
-    }
-}
-
-#[test]
 fn any_number_of_workers_writes_the_same_bytes() {
     let spec = &job::gallery()[1].spec;
     let alone = planned(spec, None);

@@ -12,7 +12,7 @@ const MOST_PASSES: usize = 20_000;
 
 /// The share of a strip's reach to one side that is trusted to be there on the other, towards a corner where no node
 /// measures it: on a bent face planes cut the two sides at different slopes.
-const CORNER: f64 = 0.5;
+const CORNER: f64 = 0.85;
 
 /// Shares of a pass's columns that may be left to partial passes, each with how much farther, as a share of the step, a
 /// pass must come for that: partial passes cost lifts and scars.

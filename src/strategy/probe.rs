@@ -1,7 +1,7 @@
 //! Contact and strip at the points of a level line.
 
 use super::Finish;
-use crate::contact::{Edge, FaceObstacle, FaceStrip, StripLimits, cl_of};
+use crate::contact::{Edge, FaceObstacle, FaceStrip, StripLimits, Sweep, cl_of};
 use crate::cutter::Cutter;
 use crate::geometry::{Curvature, Face, Field, IsoLine, Jet, Uv};
 use crate::math::frame::Frame;
@@ -34,6 +34,8 @@ const RUN_OUT_LEAN: f64 = 0.25;
 
 /// An edge nearer to the contact than this part of a strip is at the contact.
 const AT_CONTACT: f64 = 1e-3;
+/// An angle on the centre circle over which the envelope is straight, radians.
+const LITTLE: f64 = 1e-5;
 
 /// How far a strip reaches to one side.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -180,17 +182,23 @@ impl Setup<'_> {
     }
 
     fn leans_little(&self, contact: Uv, edge: Uv) -> bool {
-        self.frame(contact, false).is_some_and(|(jet, frame)| self.lean(&frame, jet.p, edge) < RUN_OUT_LEAN)
+        let Some((jet, frame)) = self.frame(contact, false) else { return false };
+        if self.face.surface.point(edge).distance(jet.p) >= AT_CONTACT * self.strip {
+            return self.lean(&frame, jet.p, edge) < RUN_OUT_LEAN;
+        }
+        // A border right at the contact gives no direction, but how the strip leaves the contact does.
+        let Some(k) = Curvature::of(&jet, &frame) else { return false };
+        let (posture, _) = self.postures.moving(contact, false, &jet, &frame);
+        let cc = CcPoint { point: jet.p, frame, posture };
+        let sweep = Sweep::new(self.cutter, &cc, frame.f, frame.f * k.fb - frame.b * k.ff);
+        let away = sweep.point(LITTLE * sweep.left(frame.b)) - jet.p;
+        away.dot(frame.f).abs() < RUN_OUT_LEAN * away.dot(frame.b).abs()
     }
 
-    /// How far `edge` lies ahead of the `contact` with this frame or behind it, as a share of how far beside it; 0
-    /// where it lies right there.
+    /// How far `edge` lies ahead of the `contact` with this frame or behind it, as a share of how far beside it; not a
+    /// number where it lies right there.
     pub(super) fn lean(&self, frame: &Frame, contact: DVec3, edge: Uv) -> f64 {
         let away = self.face.surface.point(edge) - contact;
-        // A border right at the contact gives no direction.
-        if away.length() < AT_CONTACT * self.strip {
-            return 0.0;
-        }
         (away.dot(frame.f) / away.dot(frame.b)).abs()
     }
 
