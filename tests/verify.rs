@@ -434,6 +434,25 @@ fn what_is_out_of_reach_is_uncut_and_what_is_excluded_is_apart() {
 }
 
 #[test]
+fn what_is_excluded_between_the_samples_is_apart_too() {
+    let cutter = Cutter::ball(10.0, 30.0).unwrap();
+    // A line is left out at y = 4.5, where no sample is.
+    let ys = (0..40).map(|i| f64::from(i) * 0.25).filter(|y| (y - 4.5).abs() > 0.3);
+    let path = raster(&cutter, [0.0, 10.0], &ys.collect::<Vec<_>>(), 10.0, 0.0);
+    let samples = Samples::of_face(&rectangle([0.0, 10.0], [0.0, 9.0]), 1.0).unwrap();
+    let options = Options::for_height(0.1, &cutter);
+    let options = Options { sampling_tolerance: 1e-3, ..options };
+    let left = |away: f64| 5.0 - (25.0 - away * away).sqrt();
+    let most = judge(&cutter, &path, &samples, &options).statistics.max.unwrap();
+    assert!((most.excess - left(0.5)).abs() < 1e-3 && (most.point.y - 4.5).abs() < 0.05, "{most:?}");
+    let cubes =
+        (0..101).flat_map(|i| (0..5).map(move |j| (0.05 + 0.1 * f64::from(i), 4.25 + 0.1 * f64::from(j))));
+    let zone = Zone::from_samples(0.1, cubes.map(|(x, y)| (DVec3::new(x, y, 0.0), 0.01)));
+    let rest = judge(&cutter, &path, &samples, &Options { excluded: Some(&zone), ..options }).statistics;
+    assert!(rest.max.unwrap().excess < left(0.3) + 1e-9, "{:?}", rest.max);
+}
+
+#[test]
 fn samples_cover_spheres_evenly_with_their_poles() {
     let sphere = Sphere::new(DVec3::ZERO, UPRIGHT, 10.0, [0.0, TAU], [-0.5 * PI, 0.5 * PI]).unwrap();
     let samples = Samples::of_face(&Face::new(sphere, Side::Front), 0.25).unwrap();

@@ -3,9 +3,10 @@
 use super::bound::{Sense, bound, bow};
 use super::cut::{Hit, Scene};
 use super::samples::{Sample, Samples};
-use crate::geometry::Uv;
+use crate::geometry::{Uv, Zone};
 use crate::math::order::{rank, sort_by_key};
 use crate::monitor::{Cancelled, Stage};
+use glam::DVec3;
 use std::collections::BTreeMap;
 
 /// Samples, old and new, with what they met.
@@ -14,7 +15,9 @@ pub(super) struct Field<'a> {
     pub(super) samples: Vec<Sample>,
     pub(super) hits: Vec<Hit>,
     parameters: Option<Vec<Uv>>,
-    /// Whether a sample's excess is judged; new ones' is.
+    /// What is not judged.
+    excluded: Option<&'a Zone>,
+    /// Whether a sample's excess is judged.
     judged: Vec<bool>,
     /// The samples in the middles of edges: neighbours are seldom split at the same time.
     middles: BTreeMap<(u32, u32), u32>,
@@ -55,11 +58,17 @@ const FIRST_BATCH: usize = 64;
 const CLIMB: usize = 20;
 
 impl<'a> Field<'a> {
-    pub(super) fn new(source: &'a Samples, hits: Vec<Hit>, excluded: &[bool]) -> Self {
+    pub(super) fn new(
+        source: &'a Samples,
+        hits: Vec<Hit>,
+        judged: Vec<bool>,
+        excluded: Option<&'a Zone>,
+    ) -> Self {
         Self {
             source,
             samples: source.samples.clone(),
-            judged: excluded.iter().map(|out| !out).collect(),
+            excluded,
+            judged,
             hits,
             parameters: source.parameters(),
             middles: BTreeMap::new(),
@@ -224,7 +233,7 @@ impl<'a> Field<'a> {
         self.middles = middles;
         let added = &self.samples[begin..];
         let hits = scene.cut(added.len(), |i| scene.line(&added[i]), stage)?;
-        self.judged.resize(self.samples.len(), true);
+        self.judged.extend(added.iter().map(|sample| is_judged(sample, self.excluded)));
         self.hits.extend(hits);
         Ok(children)
     }
@@ -244,6 +253,11 @@ impl<'a> Field<'a> {
         self.samples.push(sample);
         (self.samples.len() - 1) as u32
     }
+}
+
+/// Whether a sample's excess says something of the path: it has a normal, and lies outside of what is `excluded`.
+pub(super) fn is_judged(sample: &Sample, excluded: Option<&Zone>) -> bool {
+    sample.normal != DVec3::ZERO && excluded.is_none_or(|zone| !zone.contains(sample.point))
 }
 
 /// The highest bound; minus infinite of nothing.

@@ -4,14 +4,13 @@ use super::body::Body;
 use super::bound::Sense;
 use super::cut::Scene;
 use super::entry::Line;
-use super::refine::{Field, Search, Searched};
+use super::refine::{Field, Search, Searched, is_judged};
 use super::samples::{Sample, Samples};
 use super::statistics::{Extreme, Statistics, quantiles};
 use crate::cutter::Cutter;
 use crate::geometry::Zone;
 use crate::monitor::{Cancelled, Stage};
 use crate::toolpath::Toolpath;
-use glam::DVec3;
 
 /// What is asked of a verification. Lengths in millimetres.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -128,28 +127,23 @@ pub fn verify(
     check_path(path)?;
     let scene = Scene::new(Body::new(cutter, options.shank), path, -options.depth, options.search);
     let count = samples.samples.len();
-    let zone = options.excluded;
-    let excluded: Vec<bool> = samples
-        .samples
-        .iter()
-        .map(|s| s.normal == DVec3::ZERO || zone.is_some_and(|z| z.contains(s.point)))
-        .collect();
+    let judged: Vec<bool> = samples.samples.iter().map(|s| is_judged(s, options.excluded)).collect();
     // What the path is not asked to cut may still be gouged.
     let line = |i: usize| {
         let line = scene.line(&samples.samples[i]);
-        Line { to: if excluded[i] { 0.0 } else { line.to }, ..line }
+        Line { to: if judged[i] { line.to } else { 0.0 }, ..line }
     };
     let hits = scene.cut(count, line, &stage.part("cutting samples", 0.0, 0.7))?;
     let excess: Vec<f64> = hits.iter().map(|hit| hit.t).collect();
 
-    let mut field = Field::new(samples, hits, &excluded);
+    let mut field = Field::new(samples, hits, judged.clone(), options.excluded);
     let search = Search { tolerance: options.sampling_tolerance, most: options.most_refined };
     let max =
         field.search(Sense::Excess, &scene, search, &stage.part("looking between the samples", 0.7, 0.9))?;
     let min =
         field.search(Sense::Gouge, &scene, search, &stage.part("looking between the samples", 0.9, 1.0))?;
 
-    let statistics = summarise(samples, &excess, &excluded, &field, [max, min], options.height);
+    let statistics = summarise(samples, &excess, &judged, &field, [max, min], options.height);
     let refined =
         (count..field.samples.len()).map(|i| Refined { sample: field.samples[i], excess: field.hits[i].t });
     Ok(Verification { refined: refined.collect(), excess, statistics })
@@ -176,7 +170,7 @@ fn check_path(path: &Toolpath) -> Result<(), VerifyError> {
 fn summarise(
     samples: &Samples,
     excess: &[f64],
-    excluded: &[bool],
+    judged: &[bool],
     field: &Field,
     [max, min]: [Searched; 2],
     height: f64,
@@ -184,15 +178,15 @@ fn summarise(
     let mut weighted: Vec<(f64, f64)> = Vec::with_capacity(excess.len());
     let mut excluded_area = 0.0;
     let mut excluded_gouge: Option<Extreme> = None;
-    for (((t, weight), out), sample) in excess.iter().zip(&samples.areas).zip(excluded).zip(&samples.samples)
+    for (((t, weight), judged), sample) in excess.iter().zip(&samples.areas).zip(judged).zip(&samples.samples)
     {
-        if *out {
-            excluded_area += weight;
-            if *t < excluded_gouge.map_or(0.0, |deepest| deepest.excess) {
-                excluded_gouge = Some(Extreme { excess: *t, point: sample.point });
-            }
-        } else {
+        if *judged {
             weighted.push((*t, *weight));
+            continue;
+        }
+        excluded_area += weight;
+        if *t < excluded_gouge.map_or(0.0, |deepest| deepest.excess) {
+            excluded_gouge = Some(Extreme { excess: *t, point: sample.point });
         }
     }
     let area: f64 = weighted.iter().map(|(_, w)| w).sum();
