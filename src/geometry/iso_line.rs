@@ -43,6 +43,14 @@ impl FieldGrid {
         self.values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), &x| (lo.min(x), hi.max(x)))
     }
 
+    /// The grid's nodes whose value is above `level`, or below it if not `higher`.
+    pub fn nodes_beyond(&self, level: f64, higher: bool) -> impl Iterator<Item = Uv> + '_ {
+        let nu = self.grid.size().0;
+        let is_beyond = move |value: f64| if higher { value > level } else { value < level };
+        let beyond = self.values.iter().enumerate().filter(move |(_, value)| is_beyond(**value));
+        beyond.map(move |(k, _)| self.grid.uv(k % nu, k / nu))
+    }
+
     /// The field.
     pub fn field(&self) -> Field {
         self.field

@@ -1,5 +1,6 @@
 //! From a shape and a cutter to ordered passes that leave no cusp above the limit: one file a strategy.
 
+mod corner;
 mod family;
 mod fill;
 mod finish;
@@ -11,7 +12,6 @@ mod placing;
 mod probe;
 mod raster;
 mod spacing;
-mod under;
 mod unreached;
 mod walk;
 

@@ -2,17 +2,12 @@
 
 use super::StrategyError;
 use super::family::{Candidate, Detail, Family};
-use super::probe::{Probe, Reach};
 use super::spacing::{Front, Toward};
 use crate::geometry::Field;
 use crate::monitor::{Cancelled, Stage};
 
 /// Most passes of one plan: beyond it the limit and the part do not fit each other.
 const MOST_PASSES: usize = 20_000;
-
-/// The share of a strip's reach to one side that is trusted to be there on the other, towards a corner where no node
-/// measures it: on a bent face planes cut the two sides at different slopes.
-const CORNER: f64 = 0.85;
 
 /// Shares of a pass's columns that may be left to partial passes, each with how much farther, as a share of the step, a
 /// pass must come for that: partial passes cost lifts and scars.
@@ -205,19 +200,10 @@ impl Family<'_> {
         Ok(best)
     }
 
-    /// Whether nothing is left beyond the pass on that side: its strips run over the border everywhere, and a corner that
-    /// the family of planes ends in lies no farther away than the strips reach to the other side.
+    /// Whether nothing is left beyond the pass on that side: its strips run over the border everywhere, and what a family
+    /// of planes still has in a corner beyond it is cut as well.
     fn ends_family(&self, candidate: &Candidate, toward: Toward) -> bool {
-        let (end, back) = match toward {
-            Toward::Lower => (self.levels.lo, Toward::Higher),
-            Toward::Higher => (self.levels.hi, Toward::Lower),
-        };
-        let away = (candidate.level - end).abs();
-        let reaches = |p: &Probe| match p.reach(back) {
-            Some(Reach::To { level, .. }) => CORNER * (level - candidate.level).abs() >= away,
-            Some(Reach::Border { .. }) | None => true,
-        };
-        let corner = matches!(self.setup.field, Field::Along(_));
-        candidate.runs_over_border(toward) && (!corner || candidate.probes.iter().flatten().all(reaches))
+        let ends_in_corner = matches!(self.setup.field, Field::Along(_));
+        candidate.runs_over_border(toward) && (!ends_in_corner || self.cuts_beyond(candidate, toward))
     }
 }
