@@ -77,10 +77,10 @@ impl FaceObstacle {
             if here < enough {
                 return here;
             }
-            if self.grid.point(i, j).distance_squared(contact) < 2.25 * self.cell * self.cell {
+            if self.is_beside(contact, i, j) {
                 continue;
             }
-            if self.is_lowest(&body, i, j, here) {
+            if self.is_lowest(&body, (i, j), here) {
                 deepest = deepest.min(self.descend_from(&body, i, j, here, contact));
             }
         }
@@ -169,8 +169,13 @@ impl FaceObstacle {
         }
     }
 
+    /// Whether the node lies in the neighbourhood of the `contact`.
+    fn is_beside(&self, contact: DVec3, i: usize, j: usize) -> bool {
+        self.grid.point(i, j).distance_squared(contact) < 2.25 * self.cell * self.cell
+    }
+
     /// Whether no neighbour of the node is nearer to the cutter.
-    fn is_lowest(&self, body: &Body, i: usize, j: usize, here: f64) -> bool {
+    fn is_lowest(&self, body: &Body, (i, j): (usize, usize), here: f64) -> bool {
         let (nu, nv) = self.grid.size();
         let around = |k: usize, n: usize| k.saturating_sub(1)..(k + 2).min(n);
         around(j, nv).all(|b| around(i, nu).all(|a| body.distance(self.grid.point(a, b)) >= here))
@@ -190,23 +195,63 @@ impl FaceObstacle {
         if end.distance_squared(contact) < self.cell * self.cell { 0.0 } else { best }
     }
 
-    /// Where the distance is least near `at`, where it is `best`, and how much it is: by a pattern search in the
-    /// parameters.
+    /// Where the distance is least near `at`, where it is `best`, and how much it is: on squares of nine places, and where
+    /// the parabola through them is lowest, since valleys run aslant to the parameters. A square shrinks where it finds
+    /// nothing lower any more: where curvatures nearly match, valleys are long and shallow.
     fn descend(&self, body: &Body, (mut at, mut best): (Uv, f64), mut step: Uv) -> (Uv, f64) {
         let domain = self.face.domain();
-        // Ten halvings shrink a cell a thousandfold; the distance errs by the square of what is left.
-        for _ in 0..10 {
-            for (a, b) in [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)] {
-                let uv = domain.clamp(Uv::new(at.u + a * step.u, at.v + b * step.v));
-                let distance = body.distance(self.face.surface.point(uv));
+        let mut shrunk = 0;
+        for _ in 0..MOST_ROUNDS {
+            let place = |a: f64, b: f64| domain.clamp(Uv::new(at.u + a * step.u, at.v + b * step.v));
+            let look = |uv: Uv| (uv, body.distance(self.face.surface.point(uv)));
+            let square: [[(Uv, f64); 3]; 3] = std::array::from_fn(|j| {
+                std::array::from_fn(|i| {
+                    if (i, j) == (1, 1) { (at, best) } else { look(place(i as f64 - 1.0, j as f64 - 1.0)) }
+                })
+            });
+            let lowest = lowest_of(&square.map(|row| row.map(|(_, distance)| distance)));
+            let tried = lowest.map(|(a, b)| look(place(a, b)));
+            let before = best;
+            for (uv, distance) in square.into_iter().flatten().chain(tried) {
                 if distance < best {
                     (at, best) = (uv, distance);
                 }
             }
-            step = Uv::new(0.5 * step.u, 0.5 * step.v);
+
+            if before - best < SLOW {
+                step = Uv::new(SHRINK * step.u, SHRINK * step.v);
+                shrunk += 1;
+                if shrunk == SHRINKINGS {
+                    break;
+                }
+            }
         }
         (at, best)
     }
+}
+
+/// How a square shrinks, and how often: to a thousandth of a cell.
+const SHRINK: f64 = 0.25;
+const SHRINKINGS: usize = 5;
+/// What counts as nothing lower, mm; squares looked at in one descent at most.
+const SLOW: f64 = 1e-5;
+const MOST_ROUNDS: usize = 40;
+/// How far beyond its square a parabola is believed.
+const BELIEVED: f64 = 3.0;
+
+/// Where the parabola nearest to the values on the square from −1 to 1 is lowest; `None` where it is no bowl.
+fn lowest_of(f: &[[f64; 3]; 3]) -> Option<(f64, f64)> {
+    let sum = |weight: &dyn Fn(f64, f64) -> f64| -> f64 {
+        (0..9).map(|k| weight((k % 3) as f64 - 1.0, (k / 3) as f64 - 1.0) * f[k / 3][k % 3]).sum()
+    };
+    let (fx, fy) = (sum(&|x, _| x) / 6.0, sum(&|_, y| y) / 6.0);
+    let fxx = sum(&|x, _| 3.0 * x * x - 2.0) / 3.0;
+    let fyy = sum(&|_, y| 3.0 * y * y - 2.0) / 3.0;
+    let fxy = sum(&|x, y| x * y) / 4.0;
+    let determinant = fxx * fyy - fxy * fxy;
+    let (a, b) = ((fxy * fy - fyy * fx) / determinant, (fxy * fx - fxx * fy) / determinant);
+    let bowl = determinant > 0.0 && fxx > 0.0;
+    (bowl && a.abs().max(b.abs()) <= BELIEVED).then_some((a, b))
 }
 
 impl Block {

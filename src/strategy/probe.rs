@@ -1,7 +1,7 @@
 //! Contact and strip at the points of a level line.
 
 use super::Finish;
-use crate::contact::{Edge, FaceObstacle, FaceStrip, StripLimits, Sweep, cl_of};
+use crate::contact::{Body, Edge, FaceObstacle, FaceStrip, StripLimits, Sweep, cl_of};
 use crate::cutter::Cutter;
 use crate::geometry::{Curvature, Face, Field, IsoLine, Jet, Uv};
 use crate::math::frame::Frame;
@@ -78,6 +78,13 @@ impl Setup<'_> {
         Some(Station { cc, cl: cl_of(self.cutter, &cc) })
     }
 
+    /// The `station` with so much more lead, radians.
+    pub(super) fn leaning(&self, station: &Station, more: f64) -> Station {
+        let mut cc = station.cc;
+        cc.posture.lead += more;
+        Station { cc, cl: cl_of(self.cutter, &cc) }
+    }
+
     /// Whether the cutter at `station`, which stands at `uv`, reaches into the face nowhere: neither beside its contact
     /// nor anywhere else.
     pub(super) fn fits(&self, station: &Station, uv: Uv) -> bool {
@@ -96,15 +103,29 @@ impl Setup<'_> {
         if !self.fits(&self.station(uv, reversed)?, uv) {
             return None;
         }
-        let strip = self.moving_strip(uv, reversed)?;
+        let strip = self.moving_strip(uv, reversed, 0.0)?;
         let gouges = matches!(strip.left, Edge::Gouge(_)) || matches!(strip.right, Edge::Gouge(_));
         (!gouges).then_some(strip)
     }
 
-    /// The strip at `uv` whether the cutter can go there or not; `None` at a pole.
-    fn moving_strip(&self, uv: Uv, reversed: bool) -> Option<FaceStrip> {
+    /// Whether the envelope at `uv` of the cutter with so much more lead (radians), which stands at `station`, digs in nowhere
+    /// beside its contact, nor where it leaves over a border.
+    pub(super) fn slides_clear(&self, uv: Uv, reversed: bool, more: f64, station: &Station) -> bool {
+        let Some(strip) = self.moving_strip(uv, reversed, more) else { return false };
+        let body = Body::new(self.cutter, &station.cl);
+        let clears = |edge: Edge| match edge {
+            Edge::Reached(_) => true,
+            Edge::Border(foot) => body.distance(self.face.surface.point(foot)) >= -GOUGE,
+            Edge::Gouge(_) => false,
+        };
+        clears(strip.left) && clears(strip.right)
+    }
+
+    /// The strip at `uv` with so much more lead (radians), whether the cutter can go there or not; `None` at a pole.
+    fn moving_strip(&self, uv: Uv, reversed: bool, more: f64) -> Option<FaceStrip> {
         let (jet, frame) = self.frame(uv, reversed)?;
-        let (posture, turning) = self.postures.moving(uv, reversed, &jet, &frame);
+        let (mut posture, turning) = self.postures.moving(uv, reversed, &jet, &frame);
+        posture.lead += more;
         let cc = CcPoint { point: jet.p, frame, posture };
         let k = Curvature::of(&jet, &frame)?;
         let geodesic = self.field.geodesic_curvature(&jet, &frame, k.ff);
@@ -122,7 +143,8 @@ impl Setup<'_> {
         if self.postures.is_fixed() {
             return self.strip;
         }
-        let (Some((jet, frame)), Some(strip)) = (self.frame(uv, reversed), self.moving_strip(uv, reversed))
+        let (Some((jet, frame)), Some(strip)) =
+            (self.frame(uv, reversed), self.moving_strip(uv, reversed, 0.0))
         else {
             return self.strip;
         };

@@ -1,11 +1,10 @@
 //! Stations along a level line, as far apart as the chord tolerance allows.
 
 use super::probe::{GOUGE, Setup};
-use super::under;
-use crate::contact::{cl_of, contact_of};
+use crate::contact::contact_of;
 use crate::geometry::{Curvature, IsoLine, Range, Uv};
 use crate::math::frame::Frame;
-use crate::toolpath::{CcPoint, ClPoint, Pass, Posture, Station};
+use crate::toolpath::{CcPoint, ClPoint, Pass, Station};
 use glam::DVec3;
 
 /// A station on the line, and whether the cutter can stand there.
@@ -43,12 +42,15 @@ const MOST_TURN: f64 = 0.052;
 /// millimetre would otherwise wind up around it, over ground that is not there.
 const MOST_RUN_OUT_TURN: f64 = 0.4;
 
-/// How many times more moves there are beyond a border where postures are chosen.
+/// How many times more moves there are beyond a border than a chord asks for: the rear of the cutter reaches back over it.
 const FINER: f64 = 3.0;
 
 /// How much more lead is tried there, radians, times the squares of so many numbers.
 const MORE_LEAD: f64 = 0.002;
 const MORE_LEADS: u32 = 7;
+
+/// How deep the cutter may dig in between stations, in what it may at one.
+const ON_THE_WAY: f64 = 1.8;
 
 struct Walker<'a> {
     setup: &'a Setup<'a>,
@@ -62,7 +64,18 @@ impl Walker<'_> {
     /// where the face has no frame.
     fn at(&self, t: f64) -> Option<At> {
         let (uv, station) = self.station(t)?;
-        Some(At { station, clear: self.setup.fits(&station, uv) })
+        if self.setup.postures.is_fixed() {
+            return Some(At { station, clear: self.setup.fits(&station, uv) });
+        }
+        // Between the places where postures were chosen a little more lead may be needed.
+        let fitting = (0..MORE_LEADS).find_map(|k| {
+            let more = MORE_LEAD * f64::from(k * k);
+            let station = self.setup.leaning(&station, more);
+            let clear =
+                self.setup.fits(&station, uv) && self.setup.slides_clear(uv, self.reversed, more, &station);
+            clear.then_some(station)
+        });
+        Some(At { station: fitting.unwrap_or(station), clear: fitting.is_some() })
     }
 
     fn station(&self, t: f64) -> Option<(Uv, Station)> {
@@ -117,7 +130,7 @@ impl Walker<'_> {
             let cl = ClPoint { tip: a.station.cl.tip.lerp(b.station.cl.tip, s), axis };
             let half = 0.5 * self.setup.breadth(uv, self.reversed);
             self.lifts(&cl, &m, half).iter().all(|lift| (low..=high).contains(lift))
-                && (self.setup.postures.is_fixed() || self.rim_drop(&cl, &m) >= low)
+                && (self.setup.postures.is_fixed() || self.stays_off(&cl, &m))
         })
     }
 
@@ -139,17 +152,11 @@ impl Walker<'_> {
         })
     }
 
-    /// How far the rim of the bottom, its rear and its two sides, of the cutter at `cl` lies above where it lies at the
-    /// station `m`, mm: the least, negative for below. A posture that is chosen leaves hardly any room under it.
-    fn rim_drop(&self, cl: &ClPoint, m: &Station) -> f64 {
-        let cutter = self.setup.cutter;
-        let rim = |at: &ClPoint, toward: DVec3| {
-            let flat = (toward - at.axis * at.axis.dot(toward)).normalize_or_zero();
-            at.tip + flat * cutter.center_radius
-        };
-        let Frame { f, b, n } = m.cc.frame;
-        let drop = |toward: DVec3| (rim(cl, toward) - rim(&m.cl, toward)).dot(n);
-        drop(-f).min(drop(b)).min(drop(-b))
+    /// Whether the cutter at `cl` on the way, near the station `m`, digs in beyond its contact by no more than stations and
+    /// chords may together. A posture that is chosen leaves hardly any room under the rear.
+    fn stays_off(&self, cl: &ClPoint, m: &Station) -> bool {
+        let allowed = -ON_THE_WAY * GOUGE;
+        self.setup.obstacle.depth(self.setup.cutter, cl, m.cc.point, allowed) >= allowed
     }
 
     /// The clear runs of at least two stations.
@@ -204,33 +211,16 @@ impl Walker<'_> {
         // As many moves as the chord of that curvature and the turn of the axis ask for.
         let chord = (8.0 * self.setup.finish.chord.min(GOUGE) / bend.abs().max(1e-6)).sqrt();
         let turn = libm::hypot(bend, twist) * way / MOST_TURN;
-        // A posture that is chosen leaves hardly any room under the rear, which then reaches back over the border.
-        let finer = if self.setup.postures.is_fixed() { 1.0 } else { FINER };
-        let count = (finer * (way / chord).max(turn)).ceil().clamp(1.0, 64.0) as usize;
-        let chosen = !self.setup.postures.is_fixed();
+        let count = (FINER * (way / chord).max(turn)).ceil().clamp(1.0, 64.0) as usize;
         let beyond = |i: usize| {
             let s = toward * way * i as f64 / count as f64;
-            let (point, n, along) = if chosen {
-                arc(&end.cc, [bend, twist], s)
-            } else {
-                let n = (frame.n - (frame.f * bend + frame.b * twist) * s).normalize();
-                let point = end.cc.point + frame.f * s + frame.n * (0.5 * bend * s * s);
-                (point, n, frame.f + frame.n * (bend * s))
-            };
-            let frame = Frame::from_normal(n, along)?;
-            let at = |lead: f64| {
-                let cc = CcPoint { point, frame, posture: Posture { lead, ..end.cc.posture } };
-                Station { cc, cl: cl_of(self.setup.cutter, &cc) }
-            };
-            let lead = end.cc.posture.lead;
-            if !chosen {
-                return Some(at(lead)).filter(|station| self.setup.is_off(&station.cl));
-            }
+            let (point, n, along) = arc(&end.cc, [bend, twist], s);
+            let cc = CcPoint { point, frame: Frame::from_normal(n, along)?, ..end.cc };
+            let on = Station { cc, cl: end.cl };
             // What goes on beyond a border is a guess at the surface: more lead makes up for it.
-            (0..MORE_LEADS).map(|k| at(lead + MORE_LEAD * f64::from(k * k))).find(|station| {
-                self.setup.is_off(&station.cl)
-                    && under::least_under(self.setup.face, self.setup.cutter, &station.cl, uv) >= -GOUGE
-            })
+            (0..MORE_LEADS)
+                .map(|k| self.setup.leaning(&on, MORE_LEAD * f64::from(k * k)))
+                .find(|station| self.setup.is_off(&station.cl))
         };
         (1..=count).map_while(beyond).collect()
     }
