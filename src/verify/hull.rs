@@ -10,14 +10,14 @@ use glam::DVec3;
 impl Scene {
     /// A bound of the excess over the triangle with the corners `samples`, which met `hits`: that of
     /// [`bound`](super::bound::bound), with what each part of the motion that cut one of the corners sweeps in the place of
-    /// a ball. Dearer by up to six searches for an entry, and as sharp as the cutter is blunt there: it leaves next to
-    /// nothing along the feed, and across it the profile of a strip. Good for sharp cutters too, where they do not turn.
+    /// a ball. Dearer by up to six searches for an entry, and as sharp as the cutter is blunt there: it loses next to nothing
+    /// along the feed where one part passes all three corners, and across it what a strip's profile bends. Good for sharp
+    /// cutters too, where they do not turn.
     pub(super) fn excess_bound(&self, samples: [&Sample; 3], hits: [&Hit; 3]) -> f64 {
         let Some(up) = upward(samples) else { return f64::INFINITY };
         let is_first = |c: usize| (0..c).all(|k| hits[k].part != hits[c].part);
-        let row = |c: usize| match is_first(c) {
-            true => self.entries(samples, hits, up, hits[c].part),
-            false => None,
+        let row = |c: usize| {
+            if is_first(c) { self.entries(samples, hits, up, hits[c].part) } else { None }
         };
         excess_over(samples, up, &[0, 1, 2].map(|c| row(c).unwrap_or([f64::INFINITY; 3])))
     }
@@ -56,7 +56,7 @@ impl Scene {
 /// Seen from the cutter, a point `c` at the time `s` is at `w = R(s)ᵀ (c − tip(s))`. The places of balls that it holds are
 /// a convex set, so it holds the ball at `Σ qₖ wₖ`; the one at `Σ qₖ cₖ` and `Σ qₖ sₖ` is elsewhere by what `w` is bent.
 /// `R` turns about a fixed axis at a rate of at most `ρ` and `|R″| ≤ ρ²` (for `θ = atan x` it is `√(1 + 4x²)/(1 + x²)²`
-/// times that). So along `(ds, dc)` the second derivative of `w` is at most `ρ² |c − tip| ds² + 2ρ |ds| |dc − tip′ ds|`, and
+/// of that). So along `(ds, dc)` the second derivative of `w` is at most `ρ² |c − tip| ds² + 2ρ |ds| |dc − tip′ ds|`, and
 /// over a triangle a function departs from the linear one by at most half of `Σᵢ<ⱼ qᵢqⱼ ≤ 1/3` times that between corners.
 fn lost(piece: &Piece, entries: &[Entry; 3]) -> f64 {
     let rate = 2.0 * piece.half_turn();

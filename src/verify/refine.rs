@@ -182,7 +182,8 @@ impl<'a> Field<'a> {
         match sense {
             Sense::Excess if most > enough => most.min(scene.excess_bound(samples, hits)),
             Sense::Excess => most,
-            // Deeper is not looked for.
+            // Deeper is not looked for. Without any bound that would be no promise worth telling.
+            Sense::Gouge if scene.body.inscribed() <= 0.0 => most,
             Sense::Gouge => most.min(-scene.from),
         }
     }
