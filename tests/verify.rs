@@ -91,7 +91,11 @@ fn flat_mill_leaves_a_plane_bare() {
     let v = judge(&cutter, &path, &samples, &Options::for_height(0.01, &cutter));
     assert!(v.excess.iter().all(|t| t.abs() < 1e-9));
     assert_eq!(v.statistics.share_within, 1.0);
-    // A sharp edge could cut or leave a sliver between any two samples.
+    assert!(v.statistics.excess_error <= 0.001, "{:?}", v.statistics);
+    // Where it turns, a sharp edge could leave a sliver between any two samples.
+    let mut turning = path;
+    turning.moves.iter_mut().step_by(2).for_each(|m| m.to.axis = DVec3::new(1e-6, 0.0, 1.0).normalize());
+    let v = judge(&cutter, &turning, &samples, &Options::for_height(0.01, &cutter));
     assert_eq!(v.statistics.excess_error, f64::INFINITY);
 }
 
@@ -319,43 +323,105 @@ fn a_turned_scene_gives_the_same_result() {
     assert!((max(&here) - max(&there)).abs() < 1e-6 && (min(&here) - min(&there)).abs() < 1e-6);
 }
 
+/// The location at which a cutter that leads along `f` touches the point `p` with the normal `n`.
+fn touching(cutter: &Cutter, p: DVec3, n: DVec3, f: DVec3, lead: f64) -> ClPoint {
+    let axis = n * libm::cos(lead) + f * libm::sin(lead);
+    let u = ((n.dot(axis)) * axis - n).normalize_or_zero();
+    let c = p + n * cutter.corner_radius - u * cutter.center_radius;
+    ClPoint { tip: c - axis * cutter.corner_radius, axis }
+}
+
+/// Passes along parallels of latitude on a sphere of radius 25 about the origin, on its outside or its inside: moves are
+/// chords, and axes turn. To and fro, so that no link runs through the outside.
+fn parallels(cutter: &Cutter, side: Side, step: f64) -> Toolpath {
+    let at = |u: f64, v: f64| {
+        let out = DVec3::new(libm::cos(v) * libm::cos(u), libm::cos(v) * libm::sin(u), libm::sin(v));
+        let f = DVec3::new(-libm::sin(u), libm::cos(u), 0.0);
+        touching(cutter, 25.0 * out, if side == Side::Front { out } else { -out }, f, 0.2)
+    };
+    let count = (1.475 / step).ceil() as i32;
+    path((0..9).flat_map(|j| {
+        let along = move |i: i32| f64::from(if j % 2 == 0 { i } else { count - i });
+        (0..=count).map(move |i| at(-0.2 + step * along(i), -0.4 + 0.12 * f64::from(j)))
+    }))
+}
+
+/// Compares what coarse samples promise with what dense ones find; returns the errors promised.
+fn stays_within_the_promise(cutter: &Cutter, face: &Face, path: &Toolpath, spacings: &[f64]) -> Vec<f64> {
+    let fine = Options { sampling_tolerance: 1e-4, search: 1.0, ..Options::for_height(0.2, cutter) };
+    let fine = judge(cutter, path, &Samples::of_face(face, 0.1).unwrap(), &fine);
+    let known = fine.statistics.excess_error;
+    assert_eq!(fine.statistics.uncut_area, 0.0);
+    assert!(known <= 1e-4, "{cutter:?}: {known}");
+    let promise = |(spacing, most_refined): (f64, usize)| {
+        let options = Options { most_refined, search: 1.0, ..Options::for_height(0.2, cutter) };
+        let v = judge(cutter, path, &Samples::of_face(face, spacing).unwrap(), &options);
+        let (found, error) = (max(&v), v.statistics.excess_error);
+        assert!(
+            max(&fine) <= found + error + 1e-9,
+            "{cutter:?} {spacing} {most_refined}: {} {found} {error}",
+            max(&fine)
+        );
+        assert!(found <= max(&fine) + known + 1e-9, "{cutter:?} {spacing}");
+        let (deepest, error) = (min(&v), v.statistics.gouge_error);
+        assert!(min(&fine) >= deepest - error - 1e-9, "{cutter:?} {spacing}: {} {deepest}", min(&fine));
+        v.statistics.excess_error
+    };
+    spacings.iter().flat_map(|s| [(*s, 0), (*s, 4), (*s, 300)]).map(promise).collect()
+}
+
 #[test]
 fn finer_samples_stay_within_the_promise() {
-    let cutter = Cutter::bull_nose(12.0, 2.5, 30.0).unwrap();
-    let ball = Sphere::new(DVec3::ZERO, UPRIGHT, 25.0, [0.0, 1.0], [-0.3, 0.5]).unwrap();
-    let face = Face::new(ball, Side::Front);
-    // Parallels of latitude with a lead, so that moves are chords and axes turn.
-    let at = |u: f64, v: f64| {
-        let n = DVec3::new(libm::cos(v) * libm::cos(u), libm::cos(v) * libm::sin(u), libm::sin(v));
-        let f = DVec3::new(-libm::sin(u), libm::cos(u), 0.0);
-        let axis = n * libm::cos(0.2) + f * libm::sin(0.2);
-        let u = ((n.dot(axis)) * axis - n).normalize();
-        let c = n * (25.0 + cutter.corner_radius) - u * cutter.center_radius;
-        ClPoint { tip: c - axis * cutter.corner_radius, axis }
-    };
-    // To and fro, so that no link runs through the ball.
-    let path = path((0..9).flat_map(|j| {
-        let along = move |i: i32| f64::from(if j % 2 == 0 { i } else { 59 - i });
-        (0..60).map(move |i| at(-0.2 + 0.025 * along(i), -0.4 + 0.12 * f64::from(j)))
-    }));
-    let coarse = Options { most_refined: 300, ..Options::for_height(0.2, &cutter) };
-    let fine = Options { sampling_tolerance: 1e-4, search: 1.0, ..Options::for_height(0.2, &cutter) };
-    let fine = judge(&cutter, &path, &Samples::of_face(&face, 0.1).unwrap(), &fine);
-    assert_eq!(fine.statistics.uncut_area, 0.0);
-    assert!(fine.statistics.excess_error <= 1e-4, "{}", fine.statistics.excess_error);
-    for spacing in [0.8, 0.4, 0.2] {
-        let v = judge(&cutter, &path, &Samples::of_face(&face, spacing).unwrap(), &coarse);
-        let s = &v.statistics;
-        assert!(
-            max(&fine) <= max(&v) + s.excess_error + 1e-9,
-            "{spacing}: {} {} {}",
-            max(&fine),
-            max(&v),
-            s.excess_error
-        );
-        assert!(max(&v) <= max(&fine) + fine.statistics.excess_error + 1e-9, "{spacing}");
-        assert!(min(&fine) >= min(&v) - s.gouge_error - 1e-9, "{spacing}: {} {}", min(&fine), min(&v));
+    let sphere = Sphere::new(DVec3::ZERO, UPRIGHT, 25.0, [0.0, 1.0], [-0.3, 0.5]).unwrap();
+    let [bull, ball] = [Cutter::bull_nose(12.0, 2.5, 30.0), Cutter::ball(12.0, 30.0)].map(Result::unwrap);
+    // Moves shorter than the samples are apart, and longer.
+    for (cutter, side, step) in [
+        (&bull, Side::Front, 0.025),
+        (&bull, Side::Back, 0.1),
+        (&ball, Side::Front, 0.1),
+        (&ball, Side::Back, 0.025),
+    ] {
+        let face = Face::new(sphere.clone(), side);
+        stays_within_the_promise(cutter, &face, &parallels(cutter, side, step), &[0.8, 0.4, 0.2]);
     }
+}
+
+#[test]
+fn a_sharp_edge_that_does_not_turn_stays_within_its_promise() {
+    let cutter = Cutter::flat(8.0, 30.0).unwrap();
+    let cap = Sphere::new(DVec3::ZERO, UPRIGHT, 25.0, [0.0, TAU], [1.2, 0.5 * PI]).unwrap();
+    // The bottom rests on the cap's top, or its rim on the side nearest to it.
+    let at = |x: f64, y: f64| {
+        let away = (libm::hypot(x, y) - cutter.center_radius).max(0.0);
+        ClPoint { tip: DVec3::new(x, y, (625.0 - away * away).sqrt()), axis: DVec3::Z }
+    };
+    let path = path((0..29).flat_map(|j| {
+        let along = move |i: i32| f64::from(if j % 2 == 0 { i } else { -i });
+        (-30..=30).map(move |i| at(0.5 * along(i), f64::from(j) - 14.0))
+    }));
+    let errors = stays_within_the_promise(&cutter, &Face::new(cap, Side::Front), &path, &[0.8, 0.4, 0.2]);
+    assert!(errors.last().unwrap().is_finite(), "{errors:?}");
+}
+
+#[test]
+fn the_promise_is_as_sharp_as_the_strip_is_flat() {
+    // Half a millimetre between samples; a corner of 1.5 mm rises by 40 µm over the middle of four.
+    let cutter = Cutter::bull_nose(10.0, 1.5, 30.0).unwrap();
+    let hollow = Cylinder::new(DVec3::ZERO, UPRIGHT, 60.0, [0.0, 0.2], [0.0, 8.0]).unwrap();
+    let at = |u: f64, z: f64| {
+        let (s, c) = libm::sincos(u);
+        let out = DVec3::new(c, s, 0.0);
+        touching(&cutter, 60.0 * out + DVec3::Z * z, -out, DVec3::new(-s, c, 0.0), 0.12)
+    };
+    let path = path((0..11).flat_map(|j| {
+        let along = move |i: i32| f64::from(if j % 2 == 0 { i } else { 40 - i });
+        (0..=40).map(move |i| at(-0.1 + 0.01 * along(i), f64::from(j) - 1.0))
+    }));
+    let samples = Samples::of_face(&Face::new(hollow, Side::Back), 0.5).unwrap();
+    let options = Options { most_refined: 4000, search: 1.0, ..Options::for_height(0.005, &cutter) };
+    let s = judge(&cutter, &path, &samples, &options).statistics;
+    assert!(s.excess_error <= 5e-4, "{s:?}");
+    assert!(s.gouge_error <= 5e-4, "{s:?}");
 }
 
 #[test]

@@ -23,102 +23,123 @@ impl Sense {
     }
 }
 
-/// Stands for no bound at all, millimetres; finite, so that it can be interpolated.
-const UNBOUNDED: f64 = 1e6;
-
 /// A bound of [`Sense::value`] over the triangle with the corners `samples`, which met `hits`, under a cutter whose
 /// boundary is touched from inside by balls of radius `round` everywhere.
 ///
-/// *Excess.* The cutter holds the ball that touches each corner's entry, so no excess exceeds the entry into that ball:
-/// a convex function of the place, below the linear one through its values at the corners. The bound is the highest
-/// point of the lowest of the three linear functions.
+/// *Excess.* The cutter holds the ball that touches each corner's entry; [`excess_over`] makes a bound of the three.
+/// Where that does not suffice, [`Scene::excess_bound`](super::cut::Scene::excess_bound) asks more of the cutter.
 ///
 /// *Gouge.* At the deepest place the cutter is tangent to the surface and holds a ball that touches there; within the
 /// distance `ρ` of the nearest corner (at most the longest edge over √3) the ball rises by no more than `ρ²/2r`-ish.
-///
 /// Where that does not suffice, [`Scene::spares`](super::cut::Scene::spares) asks the whole motion.
 ///
-/// Both take the surface between the corners as bent no more than twice what the corners' normals show. Infinite for a
-/// sharp cutter (`round` = 0): its edge may leave or cut anything between two samples.
+/// Infinite for a sharp cutter (`round` = 0): no ball tells what its edge leaves or cuts between two samples.
 pub(super) fn bound(sense: Sense, samples: [&Sample; 3], hits: [&Hit; 3], round: f64) -> f64 {
     if round <= 0.0 {
         return f64::INFINITY;
     }
-    let bent = bow(samples);
     match sense {
         Sense::Excess => {
-            let entry = |c: usize, k: usize| {
-                if c == k { hits[c].t } else { into_ball(samples[k], hits[c].ball, round) }
-            };
-            let table = std::array::from_fn(|c| std::array::from_fn(|k| entry(c, k).min(UNBOUNDED)));
-            let most = highest_lowest(&table);
-            if most >= 1e-3 * UNBOUNDED { f64::INFINITY } else { most + bent }
+            let Some(up) = upward(samples) else { return f64::INFINITY };
+            let row = |hit: &Hit| samples.map(|sample| into_ball(sample.point, up, hit.ball, round));
+            excess_over(samples, up, &hits.map(row))
         }
         Sense::Gouge => {
-            let away = EDGES.into_iter().map(|e| length(samples, e)).fold(0.0, f64::max) / 3.0_f64.sqrt();
+            let away = longest(samples) / 3.0_f64.sqrt();
             if away >= round {
                 return f64::INFINITY;
             }
             let rise = round - (round * round - away * away).sqrt();
-            hits.iter().map(|hit| -hit.t).fold(f64::NEG_INFINITY, f64::max) + rise + bent
+            let deepest = hits.iter().map(|hit| -hit.t).fold(f64::NEG_INFINITY, f64::max);
+            deepest + rise + bow(sense, samples)
         }
     }
 }
 
+/// A bound of the excess over the triangle with the corners `samples` where the cutter holds convex bodies: `rows` are the
+/// heights at which the corners' lines along `up` enter each of them. Infinite without a row that is finite throughout.
+///
+/// Along parallel lines the entry into a convex body is a convex function of the place, below the linear one through its
+/// values at the corners. So the lowest of these functions is the height of a sheet over the triangle that lies in the
+/// cutter (where neighbours' sheets differ, lines along `up` inside the cutter join them). The surface's own normals,
+/// which need not be parallel, cross that sheet, and from the surface to any point of it is no further than along `up`:
+/// the sheet's height and what the surface sinks below the triangle. Under the surface a slanting normal falls short of
+/// `up`; it is taken as slanting by no more than twice what the corners' do.
+pub(super) fn excess_over(samples: [&Sample; 3], up: DVec3, rows: &[[f64; 3]]) -> f64 {
+    let most = highest_lowest(rows) + bow(Sense::Excess, samples);
+    if most >= 0.0 {
+        return most;
+    }
+    let slant = samples.iter().map(|sample| 1.0 - sample.normal.dot(up)).fold(0.0, f64::max);
+    // Twice the angle falls short by four times as much, at most.
+    most * (1.0 - 4.0 * slant).max(0.0)
+}
+
+/// The corners' mean normal, if there is one.
+pub(super) fn upward(samples: [&Sample; 3]) -> Option<DVec3> {
+    samples.iter().map(|sample| sample.normal).sum::<DVec3>().try_normalize()
+}
+
 const EDGES: [(usize, usize); 3] = [(0, 1), (1, 2), (2, 0)];
 
-fn length(samples: [&Sample; 3], (i, j): (usize, usize)) -> f64 {
-    samples[i].point.distance(samples[j].point)
+/// The longest edge.
+pub(super) fn longest(samples: [&Sample; 3]) -> f64 {
+    EDGES.into_iter().map(|(i, j)| samples[i].point.distance(samples[j].point)).fold(0.0, f64::max)
 }
 
-/// How far the surface between three samples may be from their plane, taken as bent no more than twice what their
-/// normals show.
-pub(super) fn bow(samples: [&Sample; 3]) -> f64 {
-    // A bow over a chord L with the turn φ is L φ/8 high.
-    let over =
-        |e: (usize, usize)| 0.25 * length(samples, e) * samples[e.0].normal.distance(samples[e.1].normal);
-    EDGES.into_iter().map(over).fold(0.0, f64::max)
+/// How far the surface between three samples may be from their plane, where that makes what is sought larger: below it for
+/// the excess, above it for a gouge. It is taken as bent no more than twice what the normals show along the edges.
+pub(super) fn bow(sense: Sense, samples: [&Sample; 3]) -> f64 {
+    // A bow over a chord L with the turn φ is L φ/8 high; up where the normals spread.
+    let spread = |(i, j): (usize, usize)| {
+        (samples[j].point - samples[i].point).dot(samples[j].normal - samples[i].normal)
+    };
+    EDGES.into_iter().map(|e| -0.25 * sense.value(spread(e))).fold(0.0, f64::max)
 }
 
-/// Where the sample's line first enters a ball; infinite if it does not.
-fn into_ball(sample: &Sample, centre: DVec3, radius: f64) -> f64 {
-    let to = centre - sample.point;
-    let along = to.dot(sample.normal);
-    let under = radius * radius - (to - sample.normal * along).length_squared();
+/// Where the line through `point` along `up` first enters a ball; infinite if it does not.
+pub(super) fn into_ball(point: DVec3, up: DVec3, centre: DVec3, radius: f64) -> f64 {
+    let to = centre - point;
+    let along = to.dot(up);
+    let under = radius * radius - (to - up * along).length_squared();
     if under >= 0.0 { along - under.sqrt() } else { f64::INFINITY }
 }
 
-/// The largest value over a triangle of the lowest of three linear functions, `table[c][k]` being the function `c` at the
-/// corner `k`. The lowest of linear functions peaks where two conditions meet out of: on an edge, two functions equal.
-fn highest_lowest(table: &[[f64; 3]; 3]) -> f64 {
+/// The largest value over a triangle of the lowest of up to three linear functions, `rows[c][k]` being the function `c` at the
+/// corner `k`; one that is not finite at every corner is left out, and the largest value of none is infinite. The lowest of
+/// linear functions peaks where two conditions meet out of: on an edge, two functions equal.
+fn highest_lowest(rows: &[[f64; 3]]) -> f64 {
+    let rows = || rows.iter().filter(|row| row.iter().all(|t| t.is_finite()));
     let lowest = |q: [f64; 3]| {
         let at = |row: &[f64; 3]| row[0] * q[0] + row[1] * q[1] + row[2] * q[2];
-        table.iter().map(at).fold(f64::INFINITY, f64::min)
+        rows().map(at).fold(f64::INFINITY, f64::min)
     };
     let mut most = f64::NEG_INFINITY;
-    let pairs = [(0, 1), (1, 2), (2, 0)];
-    let difference =
-        |(a, b): (usize, usize)| -> [f64; 3] { std::array::from_fn(|k| table[a][k] - table[b][k]) };
     for k in 0..3 {
         let mut corner = [0.0; 3];
         corner[k] = 1.0;
         most = most.max(lowest(corner));
     }
-    for (i, j) in pairs {
-        for pair in pairs {
-            let d = difference(pair);
-            // The sign change along the edge from i to j.
-            if d[i] * d[j] < 0.0 {
-                let mut q = [0.0; 3];
-                q[j] = d[i] / (d[i] - d[j]);
-                q[i] = 1.0 - q[j];
-                most = most.max(lowest(q));
+    let mut differences = [DVec3::ZERO; 3];
+    let mut count = 0;
+    for (a, first) in rows().enumerate() {
+        for second in rows().skip(a + 1) {
+            let d: [f64; 3] = std::array::from_fn(|k| first[k] - second[k]);
+            for (i, j) in EDGES {
+                // The sign change along the edge from i to j.
+                if d[i] * d[j] < 0.0 {
+                    let mut q = [0.0; 3];
+                    q[j] = d[i] / (d[i] - d[j]);
+                    q[i] = 1.0 - q[j];
+                    most = most.max(lowest(q));
+                }
             }
+            differences[count] = d.into();
+            count += 1;
         }
     }
-    let q = DVec3::from(difference((0, 1))).cross(DVec3::from(difference((1, 2))));
-    let sum = q.x + q.y + q.z;
-    let q = q / sum;
+    let q = differences[0].cross(differences[1]);
+    let q = q / (q.x + q.y + q.z);
     if q.is_finite() && q.min_element() >= 0.0 {
         most = most.max(lowest(q.to_array()));
     }

@@ -17,10 +17,14 @@ pub(super) struct Hit {
     pub(super) t: f64,
     /// Centre of the ball inside the cutter that touches there.
     pub(super) ball: DVec3,
+    /// The part of the motion that cut it, in [`Sweeps`]' order.
+    pub(super) part: u32,
+    /// That part's parameter then.
+    pub(super) time: f64,
 }
 
 impl Hit {
-    pub(super) const NONE: Self = Self { t: f64::INFINITY, ball: DVec3::NAN };
+    pub(super) const NONE: Self = Self { t: f64::INFINITY, ball: DVec3::NAN, part: 0, time: f64::NAN };
 }
 
 /// A body on its path, made ready to cut any number of samples.
@@ -30,7 +34,7 @@ pub(super) struct Scene {
     pub(super) sweeps: Sweeps,
     /// Lowest and highest `t` of interest, millimetres.
     pub(super) from: f64,
-    to: f64,
+    pub(super) to: f64,
 }
 
 /// Samples in one task at most: few enough that cancelling is prompt and workers share evenly, many enough that the
@@ -130,7 +134,7 @@ impl Scene {
         let Candidate::Part(number, _) = candidate else { return };
         for job in jobs {
             if let Some(entry) = enter(&self.body, self.sweeps.part(number), &job.line) {
-                job.hit = Hit { t: entry.t, ball: entry.ball };
+                job.hit = Hit { t: entry.t, ball: entry.ball, part: number, time: entry.time };
                 job.line.to = entry.t;
             }
         }

@@ -33,6 +33,8 @@ pub(super) struct Entry {
     pub(super) t: f64,
     /// Centre of a ball of the corner radius that lies in the body and touches the entry from inside.
     pub(super) ball: DVec3,
+    /// When: the part's parameter at which the body is there.
+    pub(super) time: f64,
 }
 
 /// What the search for the closest approach within a turning piece may miss, millimetres: the aim of 0.05 µm. A local
@@ -74,7 +76,7 @@ fn halved(body: &Body, piece: &Piece, line: &Line, left: u32) -> Option<Entry> {
     for half in [first, 1 - first] {
         if let Some(entry) = halved(body, &piece.part(half, 2), &line, left - 1) {
             line.to = entry.t;
-            found = Some(entry);
+            found = Some(Entry { time: 0.5 * (f64::from(half) + entry.time), ..entry });
         }
     }
     found
@@ -125,7 +127,7 @@ fn first_entry(body: &Body, piece: &Piece, line: &Line, middle: &Probe) -> Optio
         let (distance, slope) = (probe.distance, probe.by_line);
         if distance.abs() <= TOUCH || (distance < 0.0 && t <= line.from) {
             let ball = line.at(t) - probe.gradient * (distance + body.inscribed()).max(0.0);
-            return (t <= line.to - TOUCH).then_some(Entry { t, ball });
+            return (t <= line.to - TOUCH).then_some(Entry { t, ball, time: s });
         }
         let newton = t - distance / slope;
         t = if distance > 0.0 {
@@ -147,7 +149,7 @@ fn first_entry(body: &Body, piece: &Piece, line: &Line, middle: &Probe) -> Optio
     }
     // Not met in practice. The line does enter, so the worst that is consistent with what was seen is reported.
     let t = below.unwrap_or(line.from);
-    inside_at_top.then_some(Entry { t, ball: DVec3::NAN })
+    inside_at_top.then_some(Entry { t, ball: DVec3::NAN, time: s })
 }
 
 /// The piece's parameter at which the body is closest to `line.at(t)` and the probe there, whose derivative along the line

@@ -14,6 +14,7 @@ mod bound;
 mod cells;
 mod cut;
 mod entry;
+mod hull;
 mod motion;
 mod patch;
 mod refine;

@@ -82,6 +82,11 @@ impl Piece {
         self.rate * (self.rate * lever + self.length) * 0.25
     }
 
+    /// Whether the axis turns at all.
+    pub(super) fn turns(&self) -> bool {
+        self.rate > 0.0
+    }
+
     /// Half the turn of the axis, at most, radians.
     pub(super) fn half_turn(&self) -> f64 {
         0.5 * self.rate

@@ -1,7 +1,7 @@
 //! Finer samples where the extreme may hide between the coarse ones.
 
 use super::bound::{Sense, bound, bow};
-use super::cut::{Hit, Scene};
+use super::cut::{Hit, Scene, TASK};
 use super::samples::{Sample, Samples};
 use crate::geometry::{Uv, Zone};
 use crate::math::order::{rank, sort_by_key};
@@ -48,7 +48,7 @@ struct Pending {
     open: Vec<(f64, [u32; 3])>,
     /// The most that the extreme may be in all others: what is not worth splitting still limits the promise.
     rest: f64,
-    /// Whether the whole motion is asked before a gouge is suspected: as dear as the samples themselves.
+    /// Whether the motion is asked before a triangle is suspected: as dear as the samples themselves.
     asks: bool,
 }
 
@@ -92,7 +92,9 @@ impl<'a> Field<'a> {
             return Ok(Searched { best: None, error: 0.0 });
         };
         let sharp = scene.body.inscribed() <= 0.0;
-        if sharp && sense == Sense::Excess {
+        // No room for an edge's hull is known while it turns.
+        let turns = |hit: &Hit| hit.t.is_finite() && scene.sweeps.part(hit.part).turns();
+        if sharp && sense == Sense::Excess && self.hits.iter().any(turns) {
             return Ok(Searched { best: Some(best), error: f64::INFINITY });
         }
         let mut pending = Pending { open: Vec::new(), rest: best.0, asks: search.most > 0 };
@@ -101,7 +103,7 @@ impl<'a> Field<'a> {
         let part = |at: f64| stage.part("looking between the samples", at, at);
         self.file(sense, scene, all, best.0 + search.tolerance, &mut pending, &part(0.0))?;
         // Splitting does not make an edge any blunter.
-        let mut room = if sharp { 0 } else { search.most };
+        let mut room = if sharp && sense == Sense::Gouge { 0 } else { search.most };
         let mut batch = FIRST_BATCH;
         let mut waiting = 1.0;
         loop {
@@ -127,11 +129,12 @@ impl<'a> Field<'a> {
             for _ in 0..CLIMB {
                 let four = self.split(&[top.1], scene, &quiet)?;
                 best = self.best(sense, begin, Some(best)).unwrap_or(best);
-                let bounds: Vec<f64> = four.iter().map(|t| self.bound(sense, scene, *t)).collect();
+                let enough = best.0 + 0.25 * search.tolerance;
+                let bounds: Vec<f64> = four.iter().map(|t| self.bound(sense, scene, *t, enough)).collect();
                 let first = (0..4).fold(0, |a, b| if bounds[b] > bounds[a] { b } else { a });
                 children.extend((0..4).filter(|i| *i != first).map(|i| four[i]));
                 top = (bounds[first], four[first]);
-                if top.0 <= best.0 + 0.25 * search.tolerance {
+                if top.0 <= enough {
                     break;
                 }
             }
@@ -166,17 +169,21 @@ impl<'a> Field<'a> {
         })
     }
 
-    /// The bound over a triangle; minus infinite if a corner was never reached or is excluded: such are not judged.
-    fn bound(&self, sense: Sense, scene: &Scene, triangle: [u32; 3]) -> f64 {
+    /// The bound over a triangle, made sharper where it is above `enough`; minus infinite if a corner was never reached or is
+    /// excluded: such are not judged.
+    fn bound(&self, sense: Sense, scene: &Scene, triangle: [u32; 3], enough: f64) -> f64 {
         let corners = triangle.map(|i| i as usize);
         if !corners.iter().all(|&i| self.counts(i)) {
             return f64::NEG_INFINITY;
         }
         let samples = corners.map(|i| &self.samples[i]);
-        let most = bound(sense, samples, corners.map(|i| &self.hits[i]), scene.body.inscribed());
+        let hits = corners.map(|i| &self.hits[i]);
+        let most = bound(sense, samples, hits, scene.body.inscribed());
         match sense {
+            Sense::Excess if most > enough => most.min(scene.excess_bound(samples, hits)),
             Sense::Excess => most,
-            // Deeper is not looked for.
+            // Deeper is not looked for. Without any bound that would be no promise worth telling.
+            Sense::Gouge if scene.body.inscribed() <= 0.0 => most,
             Sense::Gouge => most.min(-scene.from),
         }
     }
@@ -192,7 +199,13 @@ impl<'a> Field<'a> {
         pending: &mut Pending,
         stage: &Stage,
     ) -> Result<(), Cancelled> {
-        let bounded = triangles.map(|triangle| (self.bound(sense, scene, triangle), triangle));
+        let triangles: Vec<_> = triangles.collect();
+        let enough = if pending.asks { worth } else { f64::INFINITY };
+        let bound_task = |task: usize| -> Vec<_> {
+            let some = &triangles[task * TASK..triangles.len().min((task + 1) * TASK)];
+            some.iter().map(|triangle| (self.bound(sense, scene, *triangle, enough), *triangle)).collect()
+        };
+        let bounded = stage.map(triangles.len().div_ceil(TASK), bound_task)?.into_iter().flatten();
         let (suspect, done): (Vec<_>, Vec<_>) = bounded.partition(|(bound, _)| *bound > worth);
         pending.rest = highest(&done).max(pending.rest);
         if sense == Sense::Excess || !pending.asks {
@@ -201,7 +214,7 @@ impl<'a> Field<'a> {
         }
         let patch = |triangle: [u32; 3]| {
             let samples = triangle.map(|i| &self.samples[i as usize]);
-            (samples, bow(samples))
+            (samples, bow(sense, samples))
         };
         let patches: Vec<_> = suspect.iter().map(|(_, triangle)| patch(*triangle)).collect();
         let spared = scene.spares(&patches, worth, stage)?;

@@ -83,14 +83,22 @@ impl Samples {
             Some((jet, normal)) => Sample { point: jet.p, normal },
             None => Sample { point: face.jet(uv).p, normal: DVec3::ZERO },
         };
-        let samples =
+        let samples: Vec<Sample> =
             grid.v.iter().flat_map(|&v| grid.u.iter().map(move |&u| sample(Uv::new(u, v)))).collect();
         let (nu, nv) = (grid.u.len() as u32, grid.v.len() as u32);
         let quad = |i: u32, j: u32| {
             let a = i + j * nu;
-            [[a, a + 1, a + 1 + nu], [a, a + 1 + nu, a + nu]]
+            let (b, c, d) = (a + 1, a + 1 + nu, a + nu);
+            let apart = |i: u32, j: u32| samples[i as usize].point.distance(samples[j as usize].point);
+            // Along the shorter diagonal: where the parameters are skew, the other one makes slivers. Rounding decides nothing.
+            if apart(b, d) < (1.0 - 1e-9) * apart(a, c) {
+                [[a, b, d], [b, c, d]]
+            } else {
+                [[a, b, c], [a, c, d]]
+            }
         };
-        let triangles = (0..nv - 1).flat_map(|j| (0..nu - 1).flat_map(move |i| quad(i, j))).collect();
+        let numbers = (0..nv - 1).flat_map(|j| (0..nu - 1).map(move |i| (i, j)));
+        let triangles = numbers.flat_map(|(i, j)| quad(i, j)).collect();
         Self { samples, areas: Vec::new(), triangles, grid: Some(grid), face: Some(face.clone()) }.weighed()
     }
 
