@@ -71,6 +71,19 @@ fn strategies_keep_their_promise_on_analytic_surfaces() {
     }
 }
 
+/// Planes end in the corners of a face, which is bent there.
+#[test]
+fn planes_at_any_angle_keep_their_promise() {
+    let wave = job::gallery().remove(0).spec;
+    for angle in [0, 15, 30, 45, 60, 90, 150] {
+        let mut spec: serde_json::Value = serde_json::from_str(&wave.to_json()).unwrap();
+        spec["name"] = format!("Wave by planes at {angle}°").into();
+        spec["strategy"] = serde_json::json!({"kind": "iso_planar", "angle_deg": angle});
+        let spec = Spec::from_json(&spec.to_string()).unwrap();
+        assert_keeps(&spec, &proven(&planned(&spec, None)));
+    }
+}
+
 #[test]
 fn any_number_of_workers_writes_the_same_bytes() {
     let spec = &job::gallery()[1].spec;

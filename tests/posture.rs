@@ -205,15 +205,14 @@ fn where_nothing_fits_the_largest_cutter_that_does_is_told() {
     assert!((0.36..0.465).contains(&share), "{share}");
 }
 
-/// Excess at most the scallop plus what sampling can miss. A gouge of a micrometre at most is open: at borders, run-outs of
-/// strips far aslant dig 1.4 µm on the wave and 1.2 µm on the blade.
+/// Excess at most the scallop plus what sampling can miss, and a gouge of at most a micrometre.
 fn assert_keeps(spec: &Spec) {
     let plan = job::plan(spec, None, &Stage::silent()).unwrap();
     let verified = plan.prove(&Stage::silent()).unwrap().unwrap().verified;
     let (excess, gouge) = (verified.largest_excess_mm.unwrap(), verified.largest_gouge_mm.unwrap());
     let limit = spec.tolerance.scallop_mm + verified.sampling_error_mm.unwrap();
     assert!(excess <= limit, "{}: {excess} at {:?}", spec.name, verified.largest_excess_at);
-    assert!(gouge >= -0.0015, "{}: {gouge} at {:?}", spec.name, verified.largest_gouge_at);
+    assert!(gouge >= -0.001, "{}: {gouge} at {:?}", spec.name, verified.largest_gouge_at);
     assert!(verified.uncut_area_mm2 <= 0.0, "{}: {} mm²", spec.name, verified.uncut_area_mm2);
 }
 
@@ -222,6 +221,10 @@ fn programs_with_the_widest_strips_keep_their_promise() {
     for example in job::gallery() {
         let mut spec: Value = serde_json::from_str(&example.spec.to_json()).unwrap();
         spec["strategy"]["rule"] = "widest".into();
-        assert_keeps(&Spec::from_json(&spec.to_string()).unwrap());
+        let planes = serde_json::json!({"kind": "iso_planar", "angle_deg": 15, "rule": "widest"});
+        for strategy in [spec["strategy"].clone(), planes] {
+            spec["strategy"] = strategy;
+            assert_keeps(&Spec::from_json(&spec.to_string()).unwrap());
+        }
     }
 }
