@@ -7,6 +7,7 @@ use stepover::contact::{
     Lean, circle_stepover, effective_radius, matching_lead, straight_strip, two_contact, widest_two_contact,
 };
 use stepover::cutter::Cutter;
+use stepover::geometry::Curvature;
 use stepover::job::{Spec, TwoPasses, cut_two_passes, stepover_chart};
 
 fn mill(center_radius: f64, corner_radius: f64) -> Cutter {
@@ -83,7 +84,7 @@ fn circle_model_promises_too_much_near_curvature_match() {
         assert_near(over, percent, if percent < 10.0 { 0.05 } else { 0.6 }, &format!("Ra/Re {ratio}"));
     }
     // At the match and below it there is no circle to meet.
-    let matching = matching_lead(&cutter, 1.0 / radius).unwrap();
+    let matching = matching_lead(&cutter, &Curvature::across(1.0 / radius), 0.0).unwrap();
     assert_eq!(circle_stepover(&cutter, Lean::Lead(matching - 1e-3), 1.0 / radius, 0.01), None);
     assert_eq!(straight_strip(&cutter, Lean::Lead(matching - 1e-3), 1.0 / radius, 0.01), None);
 }
@@ -113,7 +114,7 @@ fn two_contacts_are_wider_than_curvature_match() {
         (9.5, 3.0, 50.0, 0.05, 13.13, 17.32, 1.319),
     ] {
         let (cutter, k) = (mill(r1, r), 1.0 / radius);
-        let matching = matching_lead(&cutter, k).unwrap();
+        let matching = matching_lead(&cutter, &Curvature::across(k), 0.0).unwrap();
         let one = exact(&cutter, Lean::Lead(matching), k, h);
         let two = widest_two_contact(&cutter, k, h).unwrap();
         assert_near(one / at_match, 1.0, 0.01, &format!("match, Ra {radius}, h {h}"));
@@ -123,7 +124,7 @@ fn two_contacts_are_wider_than_curvature_match() {
     }
     let first = widest_two_contact(&mill(9.5, 3.0), 1.0 / 50.0, 0.01).unwrap();
     assert_near(first.lead.to_degrees(), 10.49, 0.02, "lead");
-    let matching = matching_lead(&mill(9.5, 3.0), 1.0 / 50.0).unwrap();
+    let matching = matching_lead(&mill(9.5, 3.0), &Curvature::across(1.0 / 50.0), 0.0).unwrap();
     assert_near(matching.to_degrees(), 11.66, 0.005, "matching lead");
 }
 

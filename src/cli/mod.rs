@@ -1,5 +1,6 @@
 //! The command line: decodes arguments, calls [`crate::job`] and the calculators, prints. No planning lives here.
 
+mod cutter;
 mod drop;
 mod plan;
 mod progress;

@@ -1,5 +1,6 @@
 //! `stepover stepover`: the stepover at a tilt, by the circle model and exactly, and what either leaves.
 
+use super::cutter::RoundCutter;
 use super::{Failure, print};
 use crate::contact::{
     Lean, circle_stepover, effective_radius, straight_strip, two_contact, widest_two_contact,
@@ -10,12 +11,8 @@ use clap::Args;
 
 #[derive(Debug, Args)]
 pub(super) struct Stepover {
-    /// Radius of the centre circle of the cutter's corner, mm: half the diameter less the corner radius.
-    #[arg(long)]
-    center_radius: f64,
-    /// Corner radius, mm.
-    #[arg(long)]
-    corner_radius: f64,
+    #[command(flatten)]
+    cutter: RoundCutter,
     /// Scallop height, mm.
     #[arg(long)]
     scallop: f64,
@@ -45,7 +42,7 @@ impl Stepover {
         let exact = straight_strip(&cutter, lean, curvature, h);
         let mut lines = Lines::default();
         if let Lean::Lead(lead) = lean {
-            let radius = effective_radius(self.center_radius, self.corner_radius, lead);
+            let radius = effective_radius(cutter.center_radius, cutter.corner_radius, lead);
             lines.add("effective_radius_mm", Some(radius).filter(|r| r.is_finite()));
         }
         lines.add("circle_mm", circle);
@@ -75,10 +72,7 @@ impl Stepover {
 
     fn checked(&self) -> Result<(Cutter, Lean, f64), Failure> {
         let call = |why: &str| Err(Failure::Call(why.into()));
-        let (r1, r) = (self.center_radius, self.corner_radius);
-        if !(r1 >= 0.0 && r >= 0.0 && r1.is_finite() && r.is_finite()) {
-            return call("--center-radius and --corner-radius: must be 0 mm or more");
-        }
+        let cutter = self.cutter.cutter()?;
         if !(self.scallop > 0.0 && self.scallop.is_finite()) {
             return call("--scallop: must be above 0 mm");
         }
@@ -88,9 +82,6 @@ impl Stepover {
         if self.radius.is_some_and(|radius| radius == 0.0 || !radius.is_finite()) {
             return call("--radius: must not be 0 mm; a plane goes without");
         }
-        // The stepover knows nothing of the cutter's height; any that holds the corner does.
-        let cutter = Cutter::bull_nose(2.0 * (r1 + r), r, 10.0 * (r1 + r))
-            .map_err(|e| Failure::Call(e.to_string()))?;
         let tilt = self.tilt.to_radians();
         let lean = if self.lateral { Lean::Lateral(tilt) } else { Lean::Lead(tilt) };
         Ok((cutter, lean, self.radius.map_or(0.0, f64::recip)))

@@ -1,20 +1,16 @@
 //! `stepover strip`: the strip at one contact point.
 
+use super::cutter::RoundCutter;
 use super::{Failure, print};
 use crate::contact::{model_strip, second_order_strip_width};
-use crate::cutter::Cutter;
 use crate::geometry::Curvature;
 use crate::toolpath::Posture;
 use clap::Args;
 
 #[derive(Debug, Args)]
 pub(super) struct Strip {
-    /// Radius of the centre circle of the cutter's corner, mm: half the diameter less the corner radius.
-    #[arg(long)]
-    center_radius: f64,
-    /// Corner radius, mm.
-    #[arg(long)]
-    corner_radius: f64,
+    #[command(flatten)]
+    cutter: RoundCutter,
     /// Scallop height, mm.
     #[arg(long)]
     scallop: f64,
@@ -37,20 +33,14 @@ impl Strip {
         let &[ff, fb, bb] = &self.curvature[..] else {
             return Err(Failure::Call("--curvature: three numbers k_ff,k_fb,k_bb are needed".into()));
         };
-        let numbers = [self.center_radius, self.corner_radius, self.lead, self.yaw, ff, fb, bb];
+        let numbers = [self.lead, self.yaw, ff, fb, bb];
         if !numbers.iter().all(|x| x.is_finite()) {
             return Err(Failure::Call("every number must be finite".into()));
         }
         if !(self.scallop > 0.0 && self.scallop.is_finite()) {
             return Err(Failure::Call("--scallop: must be above 0 mm".into()));
         }
-        let (r1, r) = (self.center_radius, self.corner_radius);
-        if !(r1 >= 0.0 && r >= 0.0) {
-            return Err(Failure::Call("--center-radius and --corner-radius: must be 0 mm or more".into()));
-        }
-        // The strip knows nothing of the cutter's height; any that holds the corner does.
-        let cutter = Cutter::bull_nose(2.0 * (r1 + r), r, 10.0 * (r1 + r))
-            .map_err(|e| Failure::Call(e.to_string()))?;
+        let cutter = self.cutter.cutter()?;
         let posture = Posture { lead: self.lead.to_radians(), yaw: self.yaw.to_radians() };
         let curvature = Curvature { ff, fb, bb };
         let strip = model_strip(&cutter, posture, &curvature, self.scallop);

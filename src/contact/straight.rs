@@ -2,6 +2,7 @@
 
 use super::envelope::Sweep;
 use crate::cutter::Cutter;
+use crate::geometry::Curvature;
 use crate::math::frame::Frame;
 use crate::math::root::bracketed;
 use crate::toolpath::{CcPoint, Posture};
@@ -61,7 +62,8 @@ pub fn straight_strip(cutter: &Cutter, lean: Lean, curvature: f64, scallop: f64)
     let section = Section { curvature, scallop };
     match lean {
         Lean::Lead(lead) => {
-            let gouges = lead < super::matching_lead(cutter, curvature)? || lead < cutter.bottom_angle;
+            let gouges = lead < super::matching_lead(cutter, &Curvature::across(curvature), 0.0)?
+                || lead < cutter.bottom_angle;
             if gouges {
                 return None;
             }

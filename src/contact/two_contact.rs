@@ -7,19 +7,10 @@
 //! Set equal to `K²` this gives `g = cos λ √(K² − R1²)`, and with `sin λm = R1/K` (where the curvatures match) the lift
 //! `K − b − g = K (1 − cos(λm − λ))`: what a chord of the ball of radius K misses when it is turned by `λm − λ`.
 
+use super::matching::matching_lead;
 use super::straight::{Section, StraightStrip};
 use crate::cutter::Cutter;
-
-/// The lead (radians) at which the curvature of the cutter across a straight feed is that of a concave section,
-/// `sin λm = R1/(Ra − r)`: less gouges, unless lifted. `curvature` (1/mm) is above 0; 0 for planes, where every lead
-/// above 0 will do. `None` where the cutter does not fit into the hollow at any lead.
-pub fn matching_lead(cutter: &Cutter, curvature: f64) -> Option<f64> {
-    if curvature <= 0.0 {
-        return Some(0.0);
-    }
-    let room = 1.0 / curvature - cutter.corner_radius;
-    (room > cutter.center_radius).then(|| libm::asin(cutter.center_radius / room))
-}
+use crate::geometry::Curvature;
 
 /// A cutter on both sides of a hollow.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,7 +27,7 @@ pub struct TwoContact {
 /// `None` for a ball, on planes and convex sections, in a hollow too narrow, for a lead above the matching one (one contact will do)
 /// or below the bottom's own angle, and where the lift exceeds the scallop.
 pub fn two_contact(cutter: &Cutter, lead: f64, curvature: f64, scallop: f64) -> Option<TwoContact> {
-    let matching = matching_lead(cutter, curvature)?;
+    let matching = matching_lead(cutter, &Curvature::across(curvature), 0.0)?;
     let (r1, room) = (cutter.center_radius, 1.0 / curvature - cutter.corner_radius);
     if r1 == 0.0 || curvature <= 0.0 || !(cutter.bottom_angle..=matching).contains(&lead) {
         return None;
@@ -57,7 +48,7 @@ pub fn two_contact(cutter: &Cutter, lead: f64, curvature: f64, scallop: f64) -> 
 /// The widest strip with two contacts: the less the lead the wider, so the least lead at which the middle stays within
 /// `scallop` (mm), `λm − arccos(1 − h/K)`, or else 0. `None` as for [`two_contact`].
 pub fn widest_two_contact(cutter: &Cutter, curvature: f64, scallop: f64) -> Option<TwoContact> {
-    let matching = matching_lead(cutter, curvature)?;
+    let matching = matching_lead(cutter, &Curvature::across(curvature), 0.0)?;
     let room = 1.0 / curvature - cutter.corner_radius;
     // The arccosine in a form that is good for small angles.
     let turn = 2.0 * libm::asin((0.5 * scallop / room).sqrt().min(1.0));
@@ -84,7 +75,7 @@ mod tests {
             [(9.5, 3.0, 50.0, 0.01), (3.0, 2.0, 50.0, 0.01), (1.0, 2.0, 30.0, 0.5), (4.0, 0.5, 10.0, 0.2)]
         {
             let cutter = mill(r1, r);
-            let matching = matching_lead(&cutter, 1.0 / ra).unwrap();
+            let matching = matching_lead(&cutter, &Curvature::across(1.0 / ra), 0.0).unwrap();
             let best = widest_two_contact(&cutter, 1.0 / ra, h).unwrap();
             let mut before = 0.0;
             for i in 0..=40 {

@@ -28,6 +28,11 @@ pub struct Principal {
 }
 
 impl Curvature {
+    /// Of a surface that is straight along `f` and has this curvature (1/mm) along `b`.
+    pub fn across(bb: f64) -> Self {
+        Self { bb, ..Self::default() }
+    }
+
     /// The curvature of the surface with the jet `jet` in `frame`, whose `n` must be the jet's unit normal or its
     /// opposite; `None` at a pole.
     pub fn of(jet: &Jet, frame: &Frame) -> Option<Self> {

@@ -6,6 +6,7 @@ use crate::contact::{
     Lean, TwoContact, circle_stepover, matching_lead, straight_strip, two_contact, widest_two_contact,
 };
 use crate::cutter::Cutter;
+use crate::geometry::Curvature;
 use serde::Serialize;
 
 /// Curves of stepover against tilt for one cutter and scallop height, one set a surface radius.
@@ -106,7 +107,7 @@ impl Tilt {
 
 fn curves(cutter: &Cutter, scallop: f64, radius: f64) -> StepoverCurves {
     let k = if radius == 0.0 { 0.0 } else { 1.0 / radius };
-    let matching = matching_lead(cutter, k);
+    let matching = matching_lead(cutter, &Curvature::across(k), 0.0);
     let widest = widest_two_contact(cutter, k, scallop);
     let mut tilts: Vec<Tilt> = (0..=STEPS).map(|i| Tilt::of_degrees(STEP * f64::from(i))).collect();
     // Where lines begin and end.

@@ -1,9 +1,8 @@
 //! Whether the whole cutter clears the face, and the least lead at which it does.
 
 use super::lattice::Node;
-use super::matching::matching_lead;
 use super::{Ground, Limits};
-use crate::contact::{Edge, FaceStrip, StripLimits, cl_of, face_strip};
+use crate::contact::{Edge, FaceStrip, StripLimits, cl_of, face_strip, matching_lead};
 use crate::cutter::Cutter;
 use crate::toolpath::{CcPoint, Posture};
 

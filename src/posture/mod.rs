@@ -9,11 +9,9 @@ mod field;
 mod fit;
 mod lattice;
 mod lead;
-mod matching;
 mod motion;
 mod rule;
 mod spline;
-
 mod yaw;
 
 pub use choose::{Ground, choose};

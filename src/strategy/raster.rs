@@ -54,8 +54,6 @@ pub struct Raster {
     pub unreached: Zone,
     /// What is not seen from above: walls (a normal's z of at most 0.02), undersides, and what lies below other facets.
     pub unseen: Zone,
-    /// Area that is seen from above, mm², to about a percent; [`Raster::unreached`] is a part of it.
-    pub seen_area: f64,
 }
 
 /// Why there is no raster.
@@ -108,7 +106,7 @@ pub fn raster(
     };
     let Some((lo, hi)) = mesh.bounds().filter(|_| !mesh.triangles.is_empty()) else {
         let (unreached, unseen) = (Zone::empty(), Zone::empty());
-        return Ok(Raster { passes: Vec::new(), unreached, unseen, seen_area: 0.0 });
+        return Ok(Raster { passes: Vec::new(), unreached, unseen });
     };
     let measure = Measure::new(cutter.corner_radius, options);
     measure.check(&mesh, options.scallop)?;
@@ -154,7 +152,7 @@ pub fn raster(
     })?;
     let unseen = stage.part("Mapping what is not seen", 0.97, 1.0);
     let unseen = rest::unseen(&mesh, &lowering, &cubes, &turn, &unseen)?;
-    Ok(Raster { passes, unreached: unreached.zone(), unseen, seen_area: seen.seen })
+    Ok(Raster { passes, unreached: unreached.zone(), unseen })
 }
 
 /// Whole lines, `level` apart or a little less, over the mesh and beyond it as far as the cutter still meets it.

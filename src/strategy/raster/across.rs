@@ -34,8 +34,6 @@ pub(super) struct Survey {
     pub wanting: Vec<Wanting>,
     /// For every slice and patch whether it is out of reach.
     pub out: Vec<Vec<bool>>,
-    /// Area seen, mm².
-    pub seen: f64,
     /// Area out of reach, mm².
     pub beyond: f64,
 }
@@ -60,15 +58,13 @@ pub(super) fn survey(ground: &Ground<'_>, lines: &Lines, stage: &Stage<'_>) -> R
         }
         let mut out = Vec::with_capacity(patches.len());
         for (patch, found) in patches.iter().zip(found) {
-            let area = ground.area(patch);
-            survey.seen += area;
             out.push(found == Some(Found::OutOfReach));
             match found {
                 None | Some(Found::Low) => {}
                 Some(Found::Wanting(axis)) => {
                     survey.wanting.push(Wanting { spot: patch.spot, axis, asked: Asked::Nothing });
                 }
-                Some(Found::OutOfReach) => survey.beyond += area,
+                Some(Found::OutOfReach) => survey.beyond += ground.area(patch),
             }
         }
         survey.out.push(out);
@@ -78,7 +74,6 @@ pub(super) fn survey(ground: &Ground<'_>, lines: &Lines, stage: &Stage<'_>) -> R
     for slice in slices {
         all.wanting.extend(slice.wanting);
         all.out.extend(slice.out);
-        all.seen += slice.seen;
         all.beyond += slice.beyond;
     }
     Ok(all)

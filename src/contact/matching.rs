@@ -3,12 +3,14 @@
 use crate::cutter::Cutter;
 use crate::geometry::Curvature;
 
-/// The least lead, radians, at which the cutter yawed by `yaw` bends nowhere less than the `surface`; `None` where even
-/// its corner bends less.
+/// The least lead, radians, at which the cutter yawed by `yaw` (radians) bends nowhere less than a surface with these
+/// curvatures in the contact frame: with less it gouges, unless lifted. 0 where every lead above 0 will do; `None` where
+/// even its corner bends less, or no lead is enough.
 ///
-/// With `t` along the lean and `s` square to it the relative curvature is `[[1/r − S_tt, −S_ts], [−S_ts, c − S_ss]]`, with
+/// Across a straight feed it is `sin λm = R1/(Ra − r)` in a hollow of radius `Ra`. In general,
+/// with `t` along the lean and `s` square to it the relative curvature is `[[1/r − S_tt, −S_ts], [−S_ts, c − S_ss]]`, with
 /// `c = sin λ/(R1 + r sin λ)`. It is positive semidefinite from `c = S_ss + r S_ts²/(1 − r S_tt)` on.
-pub(super) fn matching_lead(cutter: &Cutter, surface: &Curvature, yaw: f64) -> Option<f64> {
+pub fn matching_lead(cutter: &Cutter, surface: &Curvature, yaw: f64) -> Option<f64> {
     let s = surface.turned(yaw);
     let (big, r) = (cutter.center_radius, cutter.corner_radius);
     let room = 1.0 - r * s.ff;
