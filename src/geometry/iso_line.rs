@@ -51,6 +51,11 @@ impl FieldGrid {
         beyond.map(move |(k, _)| self.grid.uv(k % nu, k / nu))
     }
 
+    /// The grid.
+    pub fn grid(&self) -> &FaceGrid {
+        &self.grid
+    }
+
     /// The field.
     pub fn field(&self) -> Field {
         self.field

@@ -8,9 +8,13 @@ use super::{unreached, walk};
 use crate::contact::FaceObstacle;
 use crate::cutter::Cutter;
 use crate::geometry::{Domain, Face, FaceGrid, Field, FieldGrid, IsoLine, Range, Uv, Zone};
+use crate::math::order::{rank, sort_by_key};
 use crate::monitor::{Cancelled, Stage};
 use crate::posture::{Ground, Rule, choose};
 use crate::toolpath::{Pass, Posture};
+
+/// Rounds in which short passes are added where something is left.
+const GLEANINGS: usize = 3;
 
 /// A family of level lines and the strips on them.
 pub(super) struct Family<'a> {
@@ -85,14 +89,27 @@ impl<'a> Family<'a> {
     /// The passes, from the lowest level to the highest.
     pub(super) fn plan(&self, stage: &Stage) -> Result<Planned, StrategyError> {
         let candidates = self.place(&stage.part("Spacing passes", 0.0, 0.6))?;
-        let tracks = fill::tracks(self, candidates, &stage.part("Filling gaps", 0.6, 0.7))?;
-        let passes = self.walk(&tracks, &stage.part("Following the surface", 0.7, 0.95))?;
-        if passes.is_empty() {
+        let mut tracks = fill::tracks(self, candidates, &stage.part("Filling gaps", 0.6, 0.7))?;
+        let mut passes = self.walk(&tracks, &stage.part("Following the surface", 0.7, 0.85))?;
+        if passes.iter().all(Vec::is_empty) {
             let why = "it gouges at every point in this posture; try more lead, or a smaller cutter";
             return Err(StrategyError::FitsNowhere(why.into()));
         }
         let unreached =
-            unreached::zone(&self.setup, &tracks, &stage.part("Mapping what is unreachable", 0.95, 1.0))?;
+            unreached::zone(&self.setup, &tracks, &stage.part("Mapping what is unreachable", 0.85, 0.9))?;
+        for round in 0..GLEANINGS {
+            let at = |t: f64| 0.9 + 0.1 * (round as f64 + t) / GLEANINGS as f64;
+            let all = passes.iter().flatten();
+            let short = self.glean(all, &unreached, &stage.part("Filling gaps", at(0.0), at(0.8)))?;
+            if short.is_empty() {
+                break;
+            }
+            passes.extend(self.walk(&short, &stage.part("Following the surface", at(0.8), at(1.0)))?);
+            tracks.extend(short);
+        }
+        let mut by_level: Vec<_> = tracks.iter().map(|track| track.level).zip(passes).collect();
+        sort_by_key(&mut by_level, |(level, _)| (rank(*level), 0));
+        let passes = by_level.into_iter().flat_map(|(_, passes)| passes).collect();
         let largest_fit = self.setup.postures.largest_fit();
         Ok(Planned { passes, unreached, unseen: Zone::empty(), largest_fit })
     }
@@ -170,9 +187,9 @@ impl<'a> Family<'a> {
         IsoLine { nodes, ..*line }
     }
 
-    /// The passes on the lines of `tracks`.
-    fn walk(&self, tracks: &[Candidate], stage: &Stage) -> Result<Vec<Pass>, Cancelled> {
-        let per_track = stage.map(tracks.len(), |i| {
+    /// The passes on the lines of each of `tracks`.
+    fn walk(&self, tracks: &[Candidate], stage: &Stage) -> Result<Vec<Vec<Pass>>, Cancelled> {
+        stage.map(tracks.len(), |i| {
             let track = &tracks[i];
             let pass = |line: &IsoLine| {
                 walk::passes(&self.setup, &self.extended(line, track.reversed), track.reversed)
@@ -182,8 +199,7 @@ impl<'a> Family<'a> {
             } else {
                 track.lines.iter().flat_map(pass).collect()
             }
-        })?;
-        Ok(per_track.into_iter().flatten().collect())
+        })
     }
 }
 

@@ -1,0 +1,85 @@
+//! What passes leave at given places, measured by the cutter's own places on their moves.
+
+use super::probe::Setup;
+use crate::contact::Body;
+use crate::geometry::Uv;
+use crate::math::bvh::{Aabb, Bvh};
+use crate::toolpath::{ClPoint, Pass, Station};
+use glam::DVec3;
+
+/// How far beside a move a strip is looked for, in strips.
+const WIDE: f64 = 3.0;
+/// Moves in a leaf of the tree.
+const LEAF: usize = 4;
+/// Steps, each to two thirds of the last, of the search along a move for the place where it comes nearest.
+const THIRDS: usize = 12;
+
+/// The moves of passes, found by the places beside them.
+pub(super) struct Moves<'a> {
+    setup: &'a Setup<'a>,
+    moves: Vec<[Station; 2]>,
+    tree: Bvh,
+}
+
+impl<'a> Moves<'a> {
+    pub(super) fn new<'p>(setup: &'a Setup<'a>, passes: impl Iterator<Item = &'p Pass>) -> Self {
+        let wide = DVec3::splat(WIDE * setup.strip);
+        let moves: Vec<_> =
+            passes.flat_map(|pass| pass.stations.windows(2)).map(|pair| [pair[0], pair[1]]).collect();
+        let boxes: Vec<Aabb> = moves
+            .iter()
+            .map(|ends| {
+                let contacts = ends.iter().flat_map(|s| [s.cc.point - wide, s.cc.point + wide]);
+                Aabb::around(contacts)
+            })
+            .collect();
+        let tree = Bvh::new(&boxes, LEAF);
+        Self { setup, moves, tree }
+    }
+
+    /// Whether more than `limit` (mm, along the normal) is left at `uv`; where there is no normal, nothing is.
+    pub(super) fn leave(&self, uv: Uv, limit: f64) -> bool {
+        let Some((jet, n)) = self.setup.face.at(uv) else { return false };
+        let top = jet.p + n * limit;
+        let bound = |node: usize| {
+            let Aabb { lo, hi } = self.tree.boxes()[node];
+            if jet.p.cmpge(lo).all() && jet.p.cmple(hi).all() { 0.5 } else { -1.0 }
+        };
+        let is_cut = |place: usize| self.cuts(&self.moves[self.tree.order()[place] as usize], top);
+        let cut = self.tree.highest(
+            0.0,
+            bound,
+            |mut places, best| {
+                if best > 0.0 || places.any(is_cut) { 1.0 } else { best }
+            },
+        );
+        cut == 0.0
+    }
+
+    /// Whether the cutter takes `point` away on its way from one station to the next.
+    fn cuts(&self, [a, b]: &[Station; 2], point: DVec3) -> bool {
+        let cutter = self.setup.cutter;
+        let away = |t: f64| {
+            let axis = a.cl.axis.lerp(b.cl.axis, t).normalize_or(a.cl.axis);
+            Body::new(cutter, &ClPoint { tip: a.cl.tip.lerp(b.cl.tip, t), axis }).distance(point)
+        };
+        // Nothing near the bottom moves farther than this from where it is half way.
+        let turn = a.cl.axis.distance(b.cl.axis);
+        let lever = cutter.center_radius + 3.0 * cutter.corner_radius;
+        let most = 0.5 * (a.cl.tip.distance(b.cl.tip) + turn * lever);
+        let middle = away(0.5);
+        if middle <= 0.0 || middle > most {
+            return middle <= 0.0;
+        }
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..THIRDS {
+            let (one, two) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
+            let (at_one, at_two) = (away(one), away(two));
+            if at_one <= 0.0 || at_two <= 0.0 {
+                return true;
+            }
+            *(if at_one < at_two { &mut high } else { &mut low }) = if at_one < at_two { two } else { one };
+        }
+        away(0.0) <= 0.0 || away(1.0) <= 0.0
+    }
+}
