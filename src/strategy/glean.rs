@@ -13,7 +13,7 @@ use glam::DVec3;
 const ABOVE: f64 = 0.005;
 /// Cells from a border that are looked at more closely, and how many parts a side of each then has.
 const RIM: usize = 1;
-const FINER: usize = 8;
+const FINER: usize = 6;
 /// Where normals across a cell have a lower cosine than this (11°), it bends much.
 const BENT: f64 = 0.98;
 /// Places nearer to each other than this belong together, in strips.
@@ -70,7 +70,8 @@ impl Family<'_> {
                 let parts = if rim || is_bent(i, j) { FINER } else { 1 };
                 let (low, high) = (grid.uv(i, j), grid.uv(i + 1, j + 1));
                 let at = |a: f64, b: f64, k: usize| a + (b - a) * k as f64 / parts as f64;
-                let side = parts + 1;
+                // Cells share their corners.
+                let side = if i + 2 == nu || j + 2 == nv { parts + 1 } else { parts };
                 places.extend(
                     (0..side * side)
                         .map(|k| Uv::new(at(low.u, high.u, k % side), at(low.v, high.v, k / side))),

@@ -23,16 +23,10 @@ pub(super) struct Moves<'a> {
 
 impl<'a> Moves<'a> {
     pub(super) fn new<'p>(setup: &'a Setup<'a>, passes: impl Iterator<Item = &'p Pass>) -> Self {
-        let wide = DVec3::splat(WIDE * setup.strip);
         let moves: Vec<_> =
             passes.flat_map(|pass| pass.stations.windows(2)).map(|pair| [pair[0], pair[1]]).collect();
-        let boxes: Vec<Aabb> = moves
-            .iter()
-            .map(|ends| {
-                let contacts = ends.iter().flat_map(|s| [s.cc.point - wide, s.cc.point + wide]);
-                Aabb::around(contacts)
-            })
-            .collect();
+        let boxes: Vec<Aabb> =
+            moves.iter().map(|ends| Aabb::around(ends.iter().map(|s| s.cc.point))).collect();
         let tree = Bvh::new(&boxes, LEAF);
         Self { setup, moves, tree }
     }
@@ -41,18 +35,12 @@ impl<'a> Moves<'a> {
     pub(super) fn leave(&self, uv: Uv, limit: f64) -> bool {
         let Some((jet, n)) = self.setup.face.at(uv) else { return false };
         let top = jet.p + n * limit;
-        let bound = |node: usize| {
-            let Aabb { lo, hi } = self.tree.boxes()[node];
-            if jet.p.cmpge(lo).all() && jet.p.cmple(hi).all() { 0.5 } else { -1.0 }
-        };
+        let wide = WIDE * self.setup.strip;
+        // The nearest moves come first: mostly one of them cuts.
+        let bound = |node: usize| 1.0 - self.tree.boxes()[node].distance_squared(jet.p) / (wide * wide);
         let is_cut = |place: usize| self.cuts(&self.moves[self.tree.order()[place] as usize], top);
-        let cut = self.tree.highest(
-            0.0,
-            bound,
-            |mut places, best| {
-                if best > 0.0 || places.any(is_cut) { 1.0 } else { best }
-            },
-        );
+        let cut =
+            self.tree.highest(0.0, bound, |mut places, best| if places.any(is_cut) { 1.0 } else { best });
         cut == 0.0
     }
 
