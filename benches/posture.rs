@@ -46,6 +46,6 @@ fn measure(bencher: Bencher<'_, '_>, rule: Rule) {
 
 fn frame(face: &Face, uv: Uv, reversed: bool) -> Option<(Jet, Frame)> {
     let (jet, n) = face.at(uv)?;
-    let feed = Field::V.surface_gradient(&jet).cross(n) * if reversed { -1.0 } else { 1.0 };
+    let feed = Field::V.surface_gradient(uv, &jet).cross(n) * if reversed { -1.0 } else { 1.0 };
     Some((jet, Frame::from_normal(n, feed)?))
 }

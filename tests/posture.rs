@@ -16,7 +16,7 @@ const WORLD: Frame = Frame { f: DVec3::X, b: DVec3::Y, n: DVec3::Z };
 /// Jet and contact frame with feed along u.
 fn along_u(face: &Face, uv: Uv, reversed: bool) -> Option<(Jet, Frame)> {
     let (jet, n) = face.at(uv)?;
-    let feed = Field::V.surface_gradient(&jet).cross(n) * if reversed { -1.0 } else { 1.0 };
+    let feed = Field::V.surface_gradient(uv, &jet).cross(n) * if reversed { -1.0 } else { 1.0 };
     Some((jet, Frame::from_normal(n, feed)?))
 }
 

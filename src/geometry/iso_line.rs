@@ -17,6 +17,15 @@ pub struct IsoLine {
     pub closed: bool,
 }
 
+impl IsoLine {
+    /// Its length on `face` from node to node, mm.
+    pub fn length(&self, face: &Face) -> f64 {
+        let points =
+            self.nodes.windows(2).map(|w| face.surface.point(w[0]).distance(face.surface.point(w[1])));
+        points.sum()
+    }
+}
+
 /// A field sampled on a grid, from which level lines are traced.
 #[derive(Debug, Clone)]
 pub struct FieldGrid {
@@ -38,6 +47,12 @@ impl FieldGrid {
         Self { face: face.clone(), field, grid, values }
     }
 
+    /// Takes another field with these values at the nodes of the grid, u running fastest.
+    pub fn set(&mut self, field: Field, values: &[f64]) {
+        self.field = field;
+        self.values = values.to_vec();
+    }
+
     /// Lowest and highest sampled value.
     pub fn range(&self) -> (f64, f64) {
         self.values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), &x| (lo.min(x), hi.max(x)))
@@ -57,8 +72,8 @@ impl FieldGrid {
     }
 
     /// The field.
-    pub fn field(&self) -> Field {
-        self.field
+    pub fn field(&self) -> &Field {
+        &self.field
     }
 
     /// The lines of `level`, in a fixed order. A line smaller than a cell of the grid may be missed.
@@ -67,7 +82,7 @@ impl FieldGrid {
         let all_u = || (0..nu).map(|i| self.grid.uv(i, 0).u);
         let all_v = || (0..nv).map(|j| self.grid.uv(0, j).v);
         let domain = self.face.domain();
-        match self.field {
+        match &self.field {
             Field::U => vec![IsoLine {
                 level,
                 nodes: all_v().map(|v| Uv::new(level, v)).collect(),
@@ -78,7 +93,9 @@ impl FieldGrid {
                 nodes: all_u().map(|u| Uv::new(u, level)).collect(),
                 closed: domain.u.periodic,
             }],
-            Field::Along(_) => self.chains(level).into_iter().map(|c| self.line(level, &c)).collect(),
+            Field::Along(_) | Field::Given(_) => {
+                self.chains(level).into_iter().map(|c| self.line(level, &c)).collect()
+            }
         }
     }
 

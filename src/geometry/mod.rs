@@ -6,6 +6,7 @@
 mod analytic;
 mod cubes;
 mod curvature;
+mod eikonal;
 mod face;
 mod field;
 mod grid;
@@ -15,11 +16,13 @@ mod jet;
 mod mesh;
 mod nurbs;
 mod surface;
+mod table;
 mod zone;
 
 pub use analytic::{Cone, Cylinder, Plane, Sphere, Torus};
 pub use cubes::Cubes;
 pub use curvature::{Curvature, Principal};
+pub use eikonal::Fronts;
 pub use face::{Face, Side};
 pub use field::Field;
 pub use grid::FaceGrid;
@@ -30,4 +33,5 @@ pub use mesh::{TriMesh, pieces};
 pub use nurbs::{Along, MAX_DEGREE, MAX_POINTS, NurbsError, NurbsSurface};
 use nurbs::{Basis, span};
 pub use surface::{Domain, Range, Surface, Uv};
+pub use table::{Local, Table};
 pub use zone::Zone;

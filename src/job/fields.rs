@@ -150,6 +150,29 @@ pub const GROUPS: &[Group] = &[
                 ],
             },
             Variant {
+                kind: "constant_scallop",
+                shapes: &["surface"],
+                fields: &[
+                    choice(
+                        "start",
+                        &["u_low", "u_high", "v_low", "v_high", "u_line", "v_line", "section"],
+                        "v_low",
+                    ),
+                    number("start_percent", "%", [0.0, 100.0], 5.0, 50.0)
+                        .when("start", &["u_line", "v_line"]),
+                    number("angle_deg", "°", [-180.0, 180.0], 5.0, 0.0).when("start", &["section"]),
+                    RULE,
+                    LEAD,
+                    YAW,
+                    LEAST_LEAD,
+                    MOST_LEAD,
+                    MOST_YAW,
+                    TURN_ALONG,
+                    TURN_ACROSS,
+                    ORDER,
+                ],
+            },
+            Variant {
                 kind: "raster",
                 shapes: &["mesh"],
                 fields: &[number("angle_deg", "°", [-180.0, 180.0], 5.0, 0.0), ORDER],

@@ -28,8 +28,8 @@ pub use run::{Plan, Proof, plan, preview};
 pub use schema::schema;
 pub use shape::Shape;
 pub use spec::{
-    AlongSpec, CutterSpec, FeedSpec, LinkSpec, OrderSpec, RuleSpec, SideSpec, SourceSpec, Spec, StrategySpec,
-    ToleranceSpec, VERSION, VerifySpec,
+    AlongSpec, CutterSpec, FeedSpec, LinkSpec, OrderSpec, RuleSpec, SideSpec, SourceSpec, Spec, StartSpec,
+    StrategySpec, ToleranceSpec, VERSION, VerifySpec,
 };
 pub use stepover::{Placement, StepoverChart, StepoverCurves, stepover_chart};
 pub use tool::outline;

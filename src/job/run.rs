@@ -175,6 +175,10 @@ fn on_face(spec: &Spec, face: &Face, cutter: &Cutter, stage: &Stage) -> Result<(
             let angle = angle_deg.to_radians();
             strategy::iso_planar(face, cutter, angle, rule, finish, order.into(), &passing)?
         }
+        StrategySpec::ConstantScallop { start, start_percent, angle_deg, order, .. } => {
+            let start = start.start(start_percent, angle_deg);
+            strategy::constant_scallop(face, cutter, start, rule, finish, order.into(), &passing)?
+        }
         StrategySpec::Raster { .. } => {
             return Err(JobError::field(
                 "strategy.kind",
@@ -254,6 +258,7 @@ impl StrategySpec {
         match self {
             Self::IsoParametric { .. } => "iso_parametric",
             Self::IsoPlanar { .. } => "iso_planar",
+            Self::ConstantScallop { .. } => "constant_scallop",
             Self::Raster { .. } => "raster",
         }
     }

@@ -188,6 +188,20 @@ pub enum StrategySpec {
         turn_across_deg_per_mm: f64,
         order: OrderSpec,
     },
+    ConstantScallop {
+        start: StartSpec,
+        start_percent: f64,
+        angle_deg: f64,
+        rule: RuleSpec,
+        lead_deg: f64,
+        yaw_deg: f64,
+        least_lead_deg: f64,
+        most_lead_deg: f64,
+        most_yaw_deg: f64,
+        turn_along_deg_per_mm: f64,
+        turn_across_deg_per_mm: f64,
+        order: OrderSpec,
+    },
     Raster {
         angle_deg: f64,
         order: OrderSpec,
@@ -211,6 +225,20 @@ pub enum RuleSpec {
     Fixed,
     Matched,
     Widest,
+}
+
+/// The curve that passes are offset from: a border, a line of that parameter, or a plane section.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[expect(missing_docs, reason = "the names say it")]
+pub enum StartSpec {
+    ULow,
+    UHigh,
+    VLow,
+    VHigh,
+    ULine,
+    VLine,
+    Section,
 }
 
 /// Whether passes go one way or to and fro.

@@ -1,10 +1,11 @@
 //! From a specification's settings to the core's own types.
 
 use super::error::JobError;
-use super::spec::{CutterSpec, OrderSpec, RuleSpec, Spec, StrategySpec};
+use super::spec::{CutterSpec, OrderSpec, RuleSpec, Spec, StartSpec, StrategySpec};
 use crate::cutter::{Cutter, CutterError};
+use crate::geometry::Along;
 use crate::posture::{Limits, Rule};
-use crate::strategy::{Finish, Linking, Order};
+use crate::strategy::{Finish, Linking, Order, Start};
 use crate::toolpath::Posture;
 
 impl CutterSpec {
@@ -56,6 +57,17 @@ impl StrategySpec {
             turn_across_deg_per_mm,
             ..
         }
+        | Self::ConstantScallop {
+            rule,
+            lead_deg,
+            yaw_deg,
+            least_lead_deg,
+            most_lead_deg,
+            most_yaw_deg,
+            turn_along_deg_per_mm,
+            turn_across_deg_per_mm,
+            ..
+        }
         | Self::IsoPlanar {
             rule,
             lead_deg,
@@ -85,6 +97,22 @@ impl StrategySpec {
             most_turn: [turn_along_deg_per_mm, turn_across_deg_per_mm].map(|turn| turn.to_radians()),
         };
         Ok(Some(if *rule == RuleSpec::Matched { Rule::Matched(limits) } else { Rule::Widest(limits) }))
+    }
+}
+
+impl StartSpec {
+    /// The curve: `percent` tells which line of a parameter, `angle_deg` which section.
+    pub(super) fn start(self, percent: f64, angle_deg: f64) -> Start {
+        let line = |along, at| Start::Line { along, at };
+        match self {
+            Self::ULow => line(Along::V, 0.0),
+            Self::UHigh => line(Along::V, 1.0),
+            Self::VLow => line(Along::U, 0.0),
+            Self::VHigh => line(Along::U, 1.0),
+            Self::ULine => line(Along::V, 0.01 * percent),
+            Self::VLine => line(Along::U, 0.01 * percent),
+            Self::Section => Start::Section(angle_deg.to_radians()),
+        }
     }
 }
 

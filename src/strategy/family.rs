@@ -1,17 +1,16 @@
 //! Passes along the level lines of a field, each as far from the last as its strips allow.
 
 use super::fill;
-use super::probe::{GOUGE, Probe, Reach, Setup, contact_frame};
+use super::probe::{Probe, Reach, Setup};
 use super::spacing::{Front, Toward};
 use super::{Finish, Order, Planned, StrategyError};
 use super::{unreached, walk};
-use crate::contact::FaceObstacle;
 use crate::cutter::Cutter;
 use crate::geometry::{Domain, Face, FaceGrid, Field, FieldGrid, IsoLine, Range, Uv, Zone};
 use crate::math::order::{rank, sort_by_key};
 use crate::monitor::{Cancelled, Stage};
-use crate::posture::{Ground, Rule, choose};
-use crate::toolpath::{Pass, Posture};
+use crate::posture::Rule;
+use crate::toolpath::Pass;
 
 /// Rounds in which short passes are added where something is left.
 const GLEANINGS: usize = 3;
@@ -29,6 +28,7 @@ pub(super) struct Family<'a> {
 }
 
 /// The lines of one level, or pieces of them, with what the cutter does at their nodes.
+#[derive(Clone)]
 pub(super) struct Candidate {
     pub(super) level: f64,
     pub(super) lines: Vec<IsoLine>,
@@ -47,27 +47,54 @@ impl<'a> Family<'a> {
         order: Order,
         stage: &Stage,
     ) -> Result<Self, Cancelled> {
-        let obstacle = FaceObstacle::for_cutter(face, cutter);
-        let feed = |uv, reversed| contact_frame(face, field, uv, reversed);
-        let ground =
-            Ground { face, obstacle: &obstacle, cutter, feed: &feed, scallop: finish.scallop, gouge: GOUGE };
-        let postures = choose(rule, &ground, order == Order::ZigZag, stage)?;
-        let cell = probe_spacing(cutter, postures.typical(), &finish);
+        let setup = Setup::new(face, cutter, rule, finish, (field, column), order, stage)?;
+        Ok(Self::of_setup(setup, order))
+    }
+
+    /// The level lines of the field of `setup`.
+    pub(super) fn of_setup(setup: Setup<'a>, order: Order) -> Self {
+        let face = setup.face;
+        let cell = 0.5 * setup.strip;
         let grid = FaceGrid::new(face, cell, 24, 1200);
+        Self::on_grid(setup, order, grid)
+    }
+
+    /// The level lines of the field of `setup`, looked for on `grid`.
+    pub(super) fn on_grid(setup: Setup<'a>, order: Order, grid: FaceGrid) -> Self {
+        let (face, cell) = (setup.face, 0.5 * setup.strip);
         let (nu, nv) = grid.size();
-        let lines = FieldGrid::new(face, field, grid);
+        let lines = FieldGrid::new(face, setup.field.clone(), grid);
         let domain = face.domain();
         let (low, high) = lines.range();
-        let levels = parameter_range(&domain, field).unwrap_or(Range::open(low, high));
+        let levels = parameter_range(&domain, &setup.field).unwrap_or(Range::open(low, high));
         // A cell of the grid is half a strip.
-        let nominal = match field {
+        let nominal = match &setup.field {
             Field::U => 2.0 * levels.length() / (nu - 1) as f64,
             Field::V => 2.0 * levels.length() / (nv - 1) as f64,
             Field::Along(_) => 2.0 * cell,
+            // Counts passes.
+            Field::Given(_) => 1.0,
         };
-        let column_period = parameter_range(&domain, column).filter(|r| r.periodic).map(|r| r.length());
-        let setup = Setup { face, obstacle, cutter, postures, finish, field, column, strip: 2.0 * cell };
-        Ok(Self { setup, lines, levels, nominal, column_period, order })
+        let column_period =
+            parameter_range(&domain, &setup.column).filter(|r| r.periodic).map(|r| r.length());
+        Self { setup, lines, levels, nominal, column_period, order }
+    }
+
+    /// Takes another field, given on the grid of its lines with these values.
+    pub(super) fn set_table(&mut self, field: Field, values: &[f64]) {
+        self.setup.field = field.clone();
+        self.lines.set(field, values);
+        let (low, high) = self.lines.range();
+        self.levels = Range::open(low, high);
+    }
+
+    /// `candidate` as its strips reach in levels of the field that is set now.
+    pub(super) fn relevelled(&self, candidate: &Candidate) -> Candidate {
+        let mut changed = candidate.clone();
+        for probe in changed.probes.iter_mut().flatten() {
+            self.setup.relevel(probe);
+        }
+        changed
     }
 
     /// The passes along the level lines of `field` on `face`, for a cutter that leans by `rule`.
@@ -89,33 +116,52 @@ impl<'a> Family<'a> {
     /// The passes, from the lowest level to the highest.
     pub(super) fn plan(&self, stage: &Stage) -> Result<Planned, StrategyError> {
         let candidates = self.place(&stage.part("Spacing passes", 0.0, 0.6))?;
-        let mut tracks = fill::tracks(self, candidates, &stage.part("Filling gaps", 0.6, 0.7))?;
-        let mut passes = self.walk(&tracks, &stage.part("Following the surface", 0.7, 0.85))?;
+        let tracks = fill::tracks(self, candidates, &stage.part("Filling gaps", 0.6, 0.7))?;
+        Ok(self.followed(tracks, &[], &stage.part("Following the surface", 0.7, 1.0))?.0)
+    }
+
+    /// The passes on `tracks`, and short ones where they leave more than the limit at places all over the face and at
+    /// `others`; and whether in the end nothing is left there.
+    pub(super) fn followed(
+        &self,
+        mut tracks: Vec<Candidate>,
+        others: &[Uv],
+        stage: &Stage,
+    ) -> Result<(Planned, bool), StrategyError> {
+        let mut passes = self.walk(&tracks, &stage.part("Following the surface", 0.0, 0.5))?;
         if passes.iter().all(Vec::is_empty) {
             let why = "it gouges at every point in this posture; try more lead, or a smaller cutter";
             return Err(StrategyError::FitsNowhere(why.into()));
         }
         let unreached =
-            unreached::zone(&self.setup, &tracks, &stage.part("Mapping what is unreachable", 0.85, 0.9))?;
-        for round in 0..GLEANINGS {
-            let at = |t: f64| 0.9 + 0.1 * (round as f64 + t) / GLEANINGS as f64;
-            let all = passes.iter().flatten();
-            let short = self.glean(all, &unreached, &stage.part("Filling gaps", at(0.0), at(0.8)))?;
-            if short.is_empty() {
+            unreached::zone(&self.setup, &tracks, &stage.part("Mapping what is unreachable", 0.5, 0.65))?;
+        let mut is_whole = false;
+        for round in 0..=GLEANINGS {
+            let at = |t: f64| 0.65 + 0.35 * (round as f64 + t) / (GLEANINGS + 1) as f64;
+            let looking = stage.part("Filling gaps", at(0.0), at(0.8));
+            let left = self.left(passes.iter().flatten(), others, &unreached, &looking)?;
+            is_whole = left.is_empty();
+            if is_whole || round == GLEANINGS {
                 break;
             }
-            passes.extend(self.walk(&short, &stage.part("Following the surface", at(0.8), at(1.0)))?);
+            let short = self.short_lines(left, &stage.part("Filling gaps", at(0.8), at(0.9)))?;
+            passes.extend(self.walk(&short, &stage.part("Following the surface", at(0.9), at(1.0)))?);
             tracks.extend(short);
         }
         let mut by_level: Vec<_> = tracks.iter().map(|track| track.level).zip(passes).collect();
         sort_by_key(&mut by_level, |(level, _)| (rank(*level), 0));
         let passes = by_level.into_iter().flat_map(|(_, passes)| passes).collect();
         let largest_fit = self.setup.postures.largest_fit();
-        Ok(Planned { passes, unreached, unseen: Zone::empty(), largest_fit })
+        Ok((Planned { passes, unreached, unseen: Zone::empty(), largest_fit }, is_whole))
     }
 
     pub(super) fn front(&self, candidate: &Candidate, toward: Toward) -> Front {
-        Front::new(&candidate.probes, toward, self.column_period)
+        let front = Front::new(&candidate.probes, toward, self.column_period);
+        if matches!(self.setup.field, Field::Given(_)) {
+            front.bending(toward, self.setup.strip)
+        } else {
+            front
+        }
     }
 
     fn reversed(&self, index: usize) -> bool {
@@ -231,18 +277,10 @@ impl Candidate {
 }
 
 /// The interval of the parameter that `field` is, if it is one.
-fn parameter_range(domain: &Domain, field: Field) -> Option<Range> {
+fn parameter_range(domain: &Domain, field: &Field) -> Option<Range> {
     match field {
         Field::U => Some(domain.u),
         Field::V => Some(domain.v),
-        Field::Along(_) => None,
+        Field::Along(_) | Field::Given(_) => None,
     }
-}
-
-/// Distance between probes along a line, mm: half the strip on flat ground, since strips change about as fast across
-/// as along.
-fn probe_spacing(cutter: &Cutter, posture: Posture, finish: &Finish) -> f64 {
-    let flat = crate::geometry::Curvature::default();
-    let strip = crate::contact::second_order_strip_width(cutter, posture, &flat, finish.scallop);
-    (0.5 * strip).clamp(0.1, 2.0)
 }

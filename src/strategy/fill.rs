@@ -3,7 +3,7 @@
 use super::family::{Candidate, Family};
 use super::probe::{Probe, Reach};
 use super::spacing::{Front, Toward};
-use crate::geometry::{IsoLine, Uv};
+use crate::geometry::{Field, IsoLine, Uv};
 use crate::monitor::{Cancelled, Stage};
 use glam::DVec3;
 
@@ -83,15 +83,19 @@ fn needs(
     within: Option<&[Need]>,
     depth: usize,
 ) -> Vec<Need> {
+    // Lines that bend freely end anywhere, and what is left beside their ends is looked for afterwards.
+    let rim = !matches!(family.setup.field, Field::Given(_));
     let mut found = Vec::new();
     for (own, other, toward, back) in
         [(lower, upper, Toward::Higher, Toward::Lower), (upper, lower, Toward::Lower, Toward::Higher)]
     {
-        let front = family.front(other, back);
+        let (front, mine) = (family.front(other, back), family.front(own, toward));
         for (line, probes) in own.lines.iter().zip(&own.probes) {
             let inside = |i: usize| within.is_none_or(|needs| covers(family, needs, line.nodes[i]));
             let open: Vec<bool> = (0..probes.len())
-                .map(|i| inside(i) && is_open(&probes[i], &front, (toward, back), depth))
+                .map(|i| {
+                    inside(i) && is_open(&probes[i], [&mine, &front], (toward, back), rim.then_some(depth))
+                })
                 .collect();
             for i in 0..open.len().saturating_sub(1) {
                 if open[i] || open[i + 1] {
@@ -105,13 +109,19 @@ fn needs(
     found
 }
 
-/// Whether something is left between the strip of `probe` and the neighbour's `front`.
-fn is_open(probe: &Probe, front: &Front, (toward, back): (Toward, Toward), depth: usize) -> bool {
+/// Whether something is left between the strip of `probe`, one of those with the front `mine`, and the neighbour's `front`.
+fn is_open(
+    probe: &Probe,
+    [mine, front]: [&Front; 2],
+    (toward, back): (Toward, Toward),
+    rim: Option<usize>,
+) -> bool {
     match probe.reach(toward) {
         // What is abreast must come at least as far as the strip. Nothing abreast is the rim of what can be reached.
-        Some(Reach::To { level, column, point }) => {
-            front.meets(level, column, point, back).map_or(depth <= RIM_DEPTH, |met| !met)
-        }
+        Some(Reach::To { level, column, point, .. }) if mine.is_behind(level, column, point) => false,
+        Some(Reach::To { level, column, point, .. }) => front
+            .meets(level, column, point, back)
+            .map_or(rim.is_some_and(|depth| depth <= RIM_DEPTH), |met| !met),
         Some(Reach::Border { .. }) | None => false,
     }
 }

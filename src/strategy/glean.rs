@@ -10,10 +10,10 @@ use crate::toolpath::Pass;
 use glam::DVec3;
 
 /// What may be left above the limit, as a share of it, before a pass is worth it: passes are spaced to just the limit.
-const ABOVE: f64 = 0.005;
+const ABOVE: f64 = 0.01;
 /// Cells from a border that are looked at more closely, and how many parts a side of each then has.
-const RIM: usize = 1;
-const FINER: usize = 6;
+const RIM: usize = 3;
+const FINER: usize = 4;
 /// Where normals across a cell have a lower cosine than this (11°), it bends much.
 const BENT: f64 = 0.98;
 /// Places nearer to each other than this belong together, in strips.
@@ -26,23 +26,28 @@ const DEEP: f64 = 0.8;
 const ASIDE: [f64; 7] = [0.0, 0.1, -0.1, 0.2, -0.2, 0.35, -0.35];
 
 impl Family<'_> {
-    /// Lines, with what the cutter does on them, through what `passes` leave outside of `beyond`; none where nothing is left.
-    pub(super) fn glean<'p>(
+    /// The places all over the face, and those of `others`, where `passes` leave more than the limit, outside of `beyond`.
+    pub(super) fn left<'p>(
         &self,
         passes: impl Iterator<Item = &'p Pass>,
+        others: &[Uv],
         beyond: &Zone,
         stage: &Stage,
-    ) -> Result<Vec<Candidate>, Cancelled> {
+    ) -> Result<Vec<Uv>, Cancelled> {
         let moves = Moves::new(&self.setup, passes);
         let limit = (1.0 + ABOVE) * self.setup.finish.scallop;
-        let places = self.places();
+        let places = [self.places(), others.to_vec()].concat();
         let is_left = |uv: Uv| {
             !beyond.contains(self.setup.face.surface.point(uv))
                 && moves.leave(uv, limit)
                 && self.setup.probe(uv, false) != Probe::Blocked
         };
         let left = stage.map(places.len(), |k| is_left(places[k]))?;
-        let left = places.iter().zip(left).filter(|(_, left)| *left).map(|(&uv, _)| uv).collect();
+        Ok(places.iter().zip(left).filter(|(_, left)| *left).map(|(&uv, _)| uv).collect())
+    }
+
+    /// Short lines, with what the cutter does on them, through the places `left`.
+    pub(super) fn short_lines(&self, left: Vec<Uv>, stage: &Stage) -> Result<Vec<Candidate>, Cancelled> {
         let mut found = Vec::new();
         for spot in self.spots(left) {
             self.add_lines(&spot, &mut found, stage)?;

@@ -32,7 +32,7 @@ pub fn iso_planar(
 }
 
 /// The unit mean of the face's normals, weighted by area; `+z` for a face that closes on itself and has none.
-fn mean_normal(face: &Face) -> DVec3 {
+pub(super) fn mean_normal(face: &Face) -> DVec3 {
     // The direction only fixes the planes, so a coarse sum does.
     let grid = FaceGrid::new(face, f64::INFINITY, 64, 64);
     let (nu, nv) = grid.size();

@@ -1,5 +1,6 @@
 //! From a shape and a cutter to ordered passes that leave no cusp above the limit: one file a strategy.
 
+mod constant_scallop;
 mod corner;
 mod family;
 mod fill;
@@ -13,10 +14,12 @@ mod order;
 mod placing;
 mod probe;
 mod raster;
+mod setup;
 mod spacing;
 mod unreached;
 mod walk;
 
+pub use constant_scallop::{Start, constant_scallop};
 pub use finish::{Finish, Order, Planned, StrategyError};
 pub use iso_parametric::iso_parametric;
 pub use iso_planar::iso_planar;

@@ -7,11 +7,17 @@ use crate::geometry::Field;
 use crate::monitor::{Cancelled, Stage};
 
 /// Most passes of one plan: beyond it the limit and the part do not fit each other.
-const MOST_PASSES: usize = 20_000;
+pub(super) const MOST_PASSES: usize = 20_000;
 
 /// Shares of a pass's columns that may be left to partial passes, each with how much farther, as a share of the step, a
 /// pass must come for that: partial passes cost lifts and scars.
 const OPEN: [(f64, f64); 2] = [(0.1, 0.4), (0.5, 1.5)];
+
+/// What is said of more passes than that.
+pub(super) fn too_many() -> StrategyError {
+    let why = "raise the scallop limit, or take a larger cutter".into();
+    StrategyError::TooMany { most: MOST_PASSES, why }
+}
 
 impl Family<'_> {
     /// The lines on which whole passes run, lowest first.
@@ -33,8 +39,7 @@ impl Family<'_> {
                 break;
             }
             if placed.len() >= MOST_PASSES {
-                let why = "raise the scallop limit, or take a larger cutter".into();
-                return Err(StrategyError::TooMany { most: MOST_PASSES, why });
+                return Err(too_many());
             }
             let next = self.next(&front, from, guess, placed.len(), stage)?;
             // The next step is looked for near this one, but never so near that an odd spot slows down all that follow.
@@ -45,7 +50,7 @@ impl Family<'_> {
     }
 
     /// The first pass: as far in as its strips still run over the border everywhere.
-    fn first(&self, stage: &Stage) -> Result<Candidate, Cancelled> {
+    pub(super) fn first(&self, stage: &Stage) -> Result<Candidate, Cancelled> {
         let lo = self.levels.lo;
         let edge = self.candidate(lo, 0, Detail::Full, stage)?;
         if self.levels.periodic {
@@ -200,10 +205,35 @@ impl Family<'_> {
         Ok(best)
     }
 
+    /// The last pass after `last` towards one side, the end of the levels less than a step away; `None` where no pass runs
+    /// over the border everywhere.
+    pub(super) fn last_toward(
+        &self,
+        last: &Candidate,
+        toward: Toward,
+        index: usize,
+        stage: &Stage,
+    ) -> Result<Option<Candidate>, Cancelled> {
+        let end = if toward == Toward::Higher { self.levels.hi } else { self.levels.lo };
+        let mut best = None;
+        let (mut outside, mut inside) = (0.0, 1.0);
+        for _ in 0..10 {
+            let middle = 0.5 * (inside + outside);
+            let level = last.level + middle * (end - last.level);
+            let candidate = self.candidate(level, index, Detail::Full, stage)?;
+            if !candidate.lines.is_empty() && self.ends_family(&candidate, toward) {
+                (inside, best) = (middle, Some(candidate));
+            } else {
+                outside = middle;
+            }
+        }
+        Ok(best)
+    }
+
     /// Whether nothing is left beyond the pass on that side: its strips run over the border everywhere, and what a family
     /// of planes still has in a corner beyond it is cut as well.
-    fn ends_family(&self, candidate: &Candidate, toward: Toward) -> bool {
-        let ends_in_corner = matches!(self.setup.field, Field::Along(_));
+    pub(super) fn ends_family(&self, candidate: &Candidate, toward: Toward) -> bool {
+        let ends_in_corner = matches!(self.setup.field, Field::Along(_) | Field::Given(_));
         candidate.runs_over_border(toward) && (!ends_in_corner || self.cuts_beyond(candidate, toward))
     }
 }

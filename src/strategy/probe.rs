@@ -41,7 +41,7 @@ const LITTLE: f64 = 1e-5;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Reach {
     /// To this level and column of the family, at this point.
-    To { level: f64, column: f64, point: DVec3 },
+    To { level: f64, column: f64, point: DVec3, uv: Uv },
     /// Over the border of the face; column and point of the contact itself.
     Border { column: f64, point: DVec3 },
 }
@@ -57,9 +57,9 @@ pub(super) enum Probe {
 
 /// Jet and frame at `uv` with feed along the level line of `field`, higher levels to the left, or to the right if
 /// `reversed`; `None` where the field stands still or the face has no normal.
-pub(super) fn contact_frame(face: &Face, field: Field, uv: Uv, reversed: bool) -> Option<(Jet, Frame)> {
+pub(super) fn contact_frame(face: &Face, field: &Field, uv: Uv, reversed: bool) -> Option<(Jet, Frame)> {
     let (jet, n) = face.at(uv)?;
-    let rise = field.surface_gradient(&jet);
+    let rise = field.surface_gradient(uv, &jet);
     let feed = rise.cross(n) * if reversed { -1.0 } else { 1.0 };
     let frame = Frame::from_normal(n, feed)?;
     (frame.f.is_finite() && frame.b.is_finite()).then_some((jet, frame))
@@ -68,7 +68,7 @@ pub(super) fn contact_frame(face: &Face, field: Field, uv: Uv, reversed: bool) -
 impl Setup<'_> {
     /// The [`contact_frame`] at `uv`.
     pub(super) fn frame(&self, uv: Uv, reversed: bool) -> Option<(Jet, Frame)> {
-        contact_frame(self.face, self.field, uv, reversed)
+        contact_frame(self.face, &self.field, uv, reversed)
     }
 
     /// The station at `uv`, clear or not.
@@ -128,7 +128,7 @@ impl Setup<'_> {
         posture.lead += more;
         let cc = CcPoint { point: jet.p, frame, posture };
         let k = Curvature::of(&jet, &frame)?;
-        let geodesic = self.field.geodesic_curvature(&jet, &frame, k.ff);
+        let geodesic = self.field.geodesic_curvature(uv, &jet, &frame, k.ff);
         let geodesic = if geodesic.is_finite() { geodesic } else { 0.0 };
         let spin = frame.f * k.fb - frame.b * k.ff + frame.n * geodesic;
         // Chords over a hollow run above the path by up to the chord tolerance, and the cusps with them.
@@ -197,7 +197,7 @@ impl Setup<'_> {
             Edge::Reached(uv) | Edge::Border(uv) => {
                 let point = self.face.surface.point(uv);
                 let (level, column) = (self.field.value(uv, point), self.column.value(uv, point));
-                Some(Reach::To { level, column, point })
+                Some(Reach::To { level, column, point, uv })
             }
             Edge::Gouge(_) => None,
         }
@@ -230,7 +230,7 @@ impl Setup<'_> {
         match self.field {
             Field::U => domain.u.is_near_end(uv.u),
             Field::V => domain.v.is_near_end(uv.v),
-            Field::Along(_) => true,
+            Field::Along(_) | Field::Given(_) => true,
         }
     }
 

@@ -10,6 +10,9 @@ pub(super) struct Front {
     stretches: Vec<Stretch>,
     /// Period of the column coordinate, where it has one.
     period: Option<f64>,
+    /// Where lines may bend so much that edges on the inside cross: which way is out, and how far apart, mm, two pieces abreast
+    /// may lie to belong together.
+    folds: Option<(Toward, f64)>,
 }
 
 /// A piece of a front between neighbouring probes.
@@ -23,6 +26,8 @@ struct Stretch {
 
 /// Overhang at the ends of a line.
 const END: f64 = 0.5;
+/// Overhang of a line that bends freely, in strips.
+const BEYOND: f64 = 0.5;
 
 /// A corner of a front.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -60,7 +65,7 @@ impl Front {
         };
         let corner = |probe: &Probe| {
             Some(match probe.reach(toward)? {
-                Reach::To { level, column, point } => Corner { column, level, point },
+                Reach::To { level, column, point, .. } => Corner { column, level, point },
                 Reach::Border { column, point } => Corner { column, level: outside, point },
             })
         };
@@ -79,7 +84,19 @@ impl Front {
                 }
             }
         }
-        Self { stretches, period }
+        Self { stretches, period, folds: None }
+    }
+
+    /// The front of lines that bend freely, whose strips on flat ground are so wide, mm: where they bend it folds, and its
+    /// outermost piece counts; and at their ends it goes on for a part of a strip, since borders cut lines aslant.
+    #[must_use]
+    pub(super) fn bending(mut self, toward: Toward, strip: f64) -> Self {
+        for Stretch { corners: [a, b], overhang } in &mut self.stretches {
+            let length = a.point.distance(b.point).max(f64::MIN_POSITIVE);
+            overhang.iter_mut().filter(|o| **o > 0.0).for_each(|o| *o = (BEYOND * strip / length).max(*o));
+        }
+        self.folds = Some((toward, strip));
+        self
     }
 
     /// The front with every level raised by `by`.
@@ -92,9 +109,31 @@ impl Front {
         raised
     }
 
-    /// The level of the front abreast of `corner`, on the stretch nearest to it in space.
+    /// The level of the front abreast of `corner`, on the stretch nearest to it in space; or, where the front folds, the
+    /// outermost one there.
     fn level_abreast(&self, corner: &Corner) -> Option<f64> {
         let mut nearest: Option<(f64, f64)> = None;
+        self.each_abreast(corner, |away, level| {
+            if nearest.is_none_or(|(d, _)| away < d) {
+                nearest = Some((away, level));
+            }
+        });
+        let (Some((toward, reach)), Some((away, level))) = (self.folds, nearest) else {
+            return nearest.map(|(_, level)| level);
+        };
+        let limit = (away.sqrt() + reach) * (away.sqrt() + reach);
+        let mut outermost = level;
+        self.each_abreast(corner, |away, level| {
+            if away <= limit {
+                outermost =
+                    if toward == Toward::Higher { outermost.max(level) } else { outermost.min(level) };
+            }
+        });
+        Some(outermost)
+    }
+
+    /// Tells square of the distance and level of every stretch abreast of `corner`.
+    fn each_abreast(&self, corner: &Corner, mut tell: impl FnMut(f64, f64)) {
         let images = match self.period {
             Some(period) => [corner.column, corner.column - period, corner.column + period],
             None => [corner.column; 3],
@@ -107,13 +146,22 @@ impl Front {
                     continue;
                 }
                 let away = a.point.lerp(b.point, t).distance_squared(corner.point);
-                if nearest.is_none_or(|(d, _)| away < d) {
-                    let level = if a.level == b.level { a.level } else { a.level + (b.level - a.level) * t };
-                    nearest = Some((away, level));
-                }
+                let level = if a.level == b.level { a.level } else { a.level + (b.level - a.level) * t };
+                tell(away, level);
             }
         }
-        nearest.map(|(_, level)| level)
+    }
+
+    /// Whether another piece of the front lies farther out abreast of the point with this level and column.
+    pub(super) fn is_behind(&self, level: f64, column: f64, point: DVec3) -> bool {
+        let Some((toward, _)) = self.folds else { return false };
+        let outermost = self.level_abreast(&Corner { column, level, point });
+        outermost.is_some_and(|out| if toward == Toward::Higher { out > level } else { out < level })
+    }
+
+    /// The level of the front abreast of the point with this level and column.
+    pub(super) fn abreast(&self, level: f64, column: f64, point: DVec3) -> Option<f64> {
+        self.level_abreast(&Corner { column, level, point })
     }
 
     /// The gaps between this front, towards higher levels, and the front `upper` towards lower levels of the next pass.
@@ -122,13 +170,13 @@ impl Front {
             .stretches
             .iter()
             .flat_map(|s| &s.corners)
-            .filter(|c| c.level.is_finite())
+            .filter(|c| c.level.is_finite() && !upper.is_behind(c.level, c.column, c.point))
             .filter_map(|c| self.level_abreast(c).map(|level| c.level - level));
         let from_below = self
             .stretches
             .iter()
             .flat_map(|s| &s.corners)
-            .filter(|c| c.level.is_finite())
+            .filter(|c| c.level.is_finite() && !self.is_behind(c.level, c.column, c.point))
             .filter_map(|c| upper.level_abreast(c).map(|level| level - c.level));
         let mut sorted: Vec<f64> = from_above.chain(from_below).collect();
         sort_numbers(&mut sorted);
@@ -153,6 +201,13 @@ pub(super) struct Gaps {
 }
 
 impl Gaps {
+    /// All of them, the widest last; of fronts that were given the wrong way round with the `sign` −1.
+    pub(super) fn sorted(&self, sign: f64) -> Vec<f64> {
+        let mut sorted: Vec<f64> = self.sorted.iter().map(|gap| sign * gap).collect();
+        sort_numbers(&mut sorted);
+        sorted
+    }
+
     /// The gap that all but the share `open` of the columns keep below; `None` where nothing lies abreast.
     pub(super) fn all_but(&self, open: f64) -> Option<f64> {
         let last = self.sorted.len().checked_sub(1)?;

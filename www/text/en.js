@@ -63,6 +63,7 @@ export default {
   'kind.strategy': 'Laid',
   'kind.strategy.iso_parametric': 'Along a parameter',
   'kind.strategy.iso_planar': 'In parallel planes',
+  'kind.strategy.constant_scallop': 'Offset at constant scallop',
   'kind.strategy.raster': 'Raster from above',
 
   'field.cutter.diameter_mm': 'Diameter',
@@ -71,6 +72,8 @@ export default {
   'field.cutter.taper_deg': 'Taper',
   'field.cutter.bottom_deg': 'Bottom angle',
   'field.strategy.along': 'Follow',
+  'field.strategy.start': 'Start from',
+  'field.strategy.start_percent': 'Place of the line',
   'field.strategy.angle_deg': 'Angle of the planes',
   'field.strategy.rule': 'Tilt',
   'field.strategy.lead_deg': 'Lead',
@@ -92,6 +95,7 @@ export default {
   'field.verify.enabled': 'Cut in simulation',
   'field.verify.spacing_mm': 'Sample spacing',
 
+  'help.strategy.start': 'The first pass runs along it, or half a strip inside a border.',
   'help.strategy.rule': 'Fixed, matched to the surface’s curvature, or whatever gives the widest strips.',
   'help.strategy.least_lead_deg': 'So that the flat bottom does not drag.',
   'help.strategy.turn_along_deg_per_mm': 'The most that the axis turns in a millimetre of feed.',
@@ -136,6 +140,13 @@ export default {
 
   'choice.u': 'u',
   'choice.v': 'v',
+  'choice.u_low': 'Border u low',
+  'choice.u_high': 'Border u high',
+  'choice.v_low': 'Border v low',
+  'choice.v_high': 'Border v high',
+  'choice.u_line': 'Line of constant u',
+  'choice.v_line': 'Line of constant v',
+  'choice.section': 'Plane section',
   'choice.zigzag': 'To and fro',
   'choice.zig': 'One way',
   'choice.fixed': 'Fixed',

@@ -1,0 +1,170 @@
+//! Passes offset from a start curve, edge to edge, each everywhere as far from the last as its own strip is wide.
+//!
+//! Such passes are the level lines of a function that rises by one over a strip, `|∇φ| w = 1`: an eikonal equation whose
+//! speed is the width of the strip for a feed along the level line. A front that runs out from the start curve gives it
+//! roughly, wherever fronts meet too; strips measured on its own level lines then tell by how much it is off.
+
+mod crest;
+mod fit;
+
+mod march;
+mod offset;
+mod upwind;
+
+use super::family::Family;
+use super::fill;
+use super::iso_planar::mean_normal;
+use super::placing::too_many;
+use super::probe::Setup;
+use super::{Finish, Order, Planned, StrategyError};
+use crate::cutter::Cutter;
+use crate::geometry::{Along, Face, Field};
+use crate::math::frame::Frame;
+use crate::monitor::Stage;
+use crate::posture::Rule;
+use fit::Fit;
+use march::March;
+use offset::Offset;
+use std::sync::Arc;
+
+/// Where constant-scallop passes start from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Start {
+    /// A line of one parameter: it runs along `along` where the other parameter is at the fraction `at` of its range. At 0
+    /// and 1 that is a border.
+    Line {
+        /// Which parameter the line runs along.
+        along: Along,
+        /// Where across, 0 to 1.
+        at: f64,
+    },
+    /// The section by the plane through the middle of the face that holds its mean normal, turned about it by this
+    /// angle, radians (0 is along the x axis as seen along the mean normal).
+    Section(f64),
+}
+
+/// What a person reads meanwhile.
+const TILT: &str = "Choosing postures";
+const SOLVE: &str = "Offsetting the start curve";
+const PLACE: &str = "Spacing passes";
+const FILL: &str = "Filling gaps";
+/// Levels, in strips, that count as none.
+const ROUNDING: f64 = 1e-9;
+/// How often all passes are laid anew where postures are chosen: those follow the passes' direction, which laying them
+/// changes.
+const MARCHES: u32 = 2;
+/// Rounds in which the spacing is measured and mended.
+const ROUNDS: usize = 4;
+
+/// Chords over a hollow raise the cusps beside them by up to this share of the limit, and passes lie the closer for it.
+const CHORD: f64 = 0.02;
+
+/// Passes of `face` offset from `start` to both sides, edge to edge, the axis leaning by `rule`.
+///
+/// Passes that the border cuts off go on as pieces, fronts that meet end on one another, and where a pass would leave more
+/// than the limit between it and its neighbour, partial passes fill in. On a closed face cut from a line across it fronts
+/// run round to both sides, the start curve between the first two passes, and meet.
+///
+/// Chosen postures can make strips of such different widths that passes offset from one another bend more than they gain:
+/// where passes along the level lines that the start curve is one of come out shorter, or the others leave something, it is
+/// those.
+pub fn constant_scallop(
+    face: &Face,
+    cutter: &Cutter,
+    start: Start,
+    rule: Rule,
+    finish: Finish,
+    order: Order,
+    stage: &Stage,
+) -> Result<Planned, StrategyError> {
+    let seed = seed(face, start);
+    if matches!(rule, Rule::Fixed(_)) {
+        let even = offset_passes((face, cutter), &seed, &rule, finish, order, f64::INFINITY, stage)?;
+        return even.ok_or_else(too_many);
+    }
+    let (from, _, column) = seed.clone();
+    let first = stage.part(PLACE, 0.0, 0.2);
+    let plain = Family::of_rule(face, cutter, &rule, finish, (from, column), order, &first)?;
+    let rest = stage.part(SOLVE, 0.2, 1.0);
+    let most = length(&plain);
+    let even = offset_passes((face, cutter), &seed, &rule, finish, order, most, &rest)?;
+    Ok(even.filter(|even| length(even) <= most).unwrap_or(plain))
+}
+
+/// Length of the passes at the cutter's contact, mm.
+fn length(planned: &Planned) -> f64 {
+    let ways = planned.passes.iter().flat_map(|pass| pass.stations.windows(2));
+    ways.map(|w| w[0].cc.point.distance(w[1].cc.point)).sum()
+}
+
+/// The passes; none where they come out longer than `most` (mm), and where that is finite, none that leave anything.
+fn offset_passes(
+    (face, cutter): (&Face, &Cutter),
+    (from, level, column): &(Field, f64, Field),
+    rule: &Rule,
+    finish: Finish,
+    order: Order,
+    most: f64,
+    stage: &Stage,
+) -> Result<Option<Planned>, StrategyError> {
+    let finish = Finish { chord: finish.chord.min(CHORD * finish.scallop), ..finish };
+    let fields = (from.clone(), column.clone());
+    let mut setup = Setup::new(face, cutter, rule, finish, fields, order, &stage.part(TILT, 0.0, 0.05))?;
+    let offset = Offset::new(&setup, from, *level);
+    let first = offset.solve(&setup, &stage.part(SOLVE, 0.05, 0.1))?;
+    setup = Setup { field: Field::Given(Arc::new(first)), ..setup };
+    for round in 0..ROUNDS {
+        let part = |from: f64, to: f64| {
+            let at = |t: f64| 0.1 + 0.4 * (round as f64 + t) / ROUNDS as f64;
+            stage.part(SOLVE, at(from), at(to))
+        };
+        // Postures follow the passes' direction, which is about right from here on.
+        if round + 2 >= ROUNDS {
+            setup.choose(rule, order, &part(0.0, 0.3))?;
+        }
+        let mended = Fit::new(&setup, &offset, order).mended(&part(0.3, 1.0))?;
+        setup = Setup { field: Field::Given(Arc::new(mended)), ..setup };
+    }
+    setup.choose(rule, order, &stage.part(TILT, 0.5, 0.52))?;
+    let values = offset.values(&setup.field);
+    let is_border = values.iter().copied().fold(f64::INFINITY, f64::min) >= -ROUNDING;
+    let lay = |setup, values, stage: &Stage| {
+        let family = Family::on_grid(setup, order, offset.grid.clone());
+        March::new(family, &offset, values).laid(is_border, stage)
+    };
+    let (mut family, mut placed, mut values) = lay(setup, values, &stage.part(PLACE, 0.52, 0.58))?;
+    let again = if matches!(rule, Rule::Fixed(_)) { 0 } else { MARCHES };
+    for march in 0..again {
+        let at = |t: f64| 0.58 + 0.12 * (f64::from(march) + t) / f64::from(again);
+        let mut setup = family.setup;
+        setup.choose(rule, order, &stage.part(TILT, at(0.0), at(0.3)))?;
+        (family, placed, values) = lay(setup, values, &stage.part(PLACE, at(0.3), at(1.0)))?;
+    }
+    let tracks = fill::tracks(&family, placed, &stage.part(FILL, 0.7, 0.75))?;
+    let lines = tracks.iter().flat_map(|track| &track.lines);
+    if lines.map(|line| line.length(face)).sum::<f64>() > most {
+        return Ok(None);
+    }
+    let crests = crest::places(&family, &offset);
+    let (planned, is_whole) =
+        family.followed(tracks, &crests, &stage.part("Following the surface", 0.75, 1.0))?;
+    Ok((is_whole || most.is_infinite()).then_some(planned))
+}
+
+/// A field and level whose line is the start curve, and a field that tells places along it apart.
+fn seed(face: &Face, start: Start) -> (Field, f64, Field) {
+    let domain = face.domain();
+    match start {
+        Start::Line { along: Along::V, at } => (Field::U, domain.u.at(at), Field::V),
+        Start::Line { along: Along::U, at } => (Field::V, domain.v.at(at), Field::U),
+        Start::Section(angle) => {
+            let up = mean_normal(face);
+            let flat = Frame::from_normal(up, glam::DVec3::X).unwrap_or_else(|| Frame::any(up));
+            let (s, c) = libm::sincos(angle);
+            let along = flat.f * c + flat.b * s;
+            let across = up.cross(along);
+            let middle = face.surface.point(domain.at(0.5, 0.5));
+            (Field::Along(across), across.dot(middle), Field::Along(along))
+        }
+    }
+}

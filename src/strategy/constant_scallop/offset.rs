@@ -1,0 +1,119 @@
+//! How far places lie from a start curve, in strips, by a front that runs out from it.
+
+use crate::contact::{model_strip, second_order_strip_width};
+use crate::geometry::{Curvature, Domain, FaceGrid, Field, Fronts, Table, Uv};
+use crate::monitor::{Cancelled, Stage};
+use crate::strategy::probe::{Setup, contact_frame};
+use std::sync::Arc;
+
+/// Cells along either parameter on which the passes' spacing is solved for.
+const LEAST: usize = 48;
+const MOST: usize = 600;
+/// Strips a cell.
+const CELL: f64 = 0.35;
+/// Rounds in which direction and width come to agree.
+const AGREE: usize = 4;
+/// The widest and narrowest strips that are believed, in strips on flat ground: where the cutter cannot stand, or fits like
+/// a stamp, the field must still go on.
+const WIDEST: f64 = 4.0;
+const NARROWEST: f64 = 0.1;
+
+/// A grid over a face and where the start curve runs through it.
+pub(super) struct Offset {
+    pub(super) grid: FaceGrid,
+    pub(super) domain: Domain,
+    /// On which side of the start curve the nodes lie, 1 or −1.
+    sides: Vec<f64>,
+    /// Whether fronts run round the face to both sides and meet: then the function rises to either.
+    pub(super) is_round: bool,
+    /// Nodes on the start curve or beside it, and how far from it they are, mm.
+    pub(super) near: Vec<(usize, f64)>,
+    /// Width on flat ground, mm.
+    flat: f64,
+}
+
+impl Offset {
+    /// For the start curve at `level` of `from`.
+    pub(super) fn new(setup: &Setup, from: &Field, level: f64) -> Self {
+        let (face, domain) = (setup.face, setup.face.domain());
+        let flat = second_order_strip_width(
+            setup.cutter,
+            setup.postures.typical(),
+            &Curvature::default(),
+            setup.finish.scallop,
+        );
+        let grid = FaceGrid::new(face, CELL * flat, LEAST, MOST);
+        let (nu, nv) = grid.size();
+        let uv = |k: usize| grid.uv(k % nu, k / nu);
+        let points = grid.points().iter().enumerate();
+        // Across a period there are two ways from one place to another: the shorter counts.
+        let period = match from {
+            Field::U if domain.u.periodic => Some(domain.u.length()),
+            Field::V if domain.v.periodic => Some(domain.v.length()),
+            _ => None,
+        };
+        let shorter = |x: f64| period.map_or(x, |p| x - (x / p).round() * p);
+        let away: Vec<f64> = points.map(|(k, p)| shorter(from.value(uv(k), *p) - level)).collect();
+        let fronts = Fronts::new(&domain, &grid);
+        let far = period.map_or(f64::INFINITY, |p| 0.5 * p);
+        let parted = |k: usize, n: usize| away[n] * away[k] <= 0.0 && (away[n] - away[k]).abs() < far;
+        let beside = |k: &usize| fronts.around(*k).into_iter().flatten().any(|n| parted(*k, n));
+        let distance = |k: usize| {
+            let rise = from.surface_gradient(uv(k), &face.jet(uv(k))).length();
+            if rise > 0.0 && rise.is_finite() { away[k].abs() / rise } else { 0.0 }
+        };
+        let near = (0..nu * nv).filter(beside).map(|k| (k, distance(k))).collect();
+        // From a border there is one way only; and where both ways lead to the same place neither is up.
+        let one_way = away.iter().all(|away| *away <= 0.0);
+        let sides = if period.is_some() || one_way {
+            vec![1.0; away.len()]
+        } else {
+            away.iter().map(|away| if *away < 0.0 { -1.0 } else { 1.0 }).collect()
+        };
+        Self { grid, domain, sides, is_round: period.is_some(), near, flat }
+    }
+
+    /// `field` at the nodes.
+    pub(super) fn values(&self, field: &Field) -> Vec<f64> {
+        self.grid.points().iter().enumerate().map(|(k, p)| field.value(self.uv(k), *p)).collect()
+    }
+
+    pub(super) fn uv(&self, node: usize) -> Uv {
+        let nu = self.grid.size().0;
+        self.grid.uv(node % nu, node / nu)
+    }
+
+    /// The function that is 0 on the start curve and rises by about one over every strip.
+    pub(super) fn solve(&self, setup: &Setup, stage: &Stage) -> Result<Table, Cancelled> {
+        let fronts = Fronts::new(&self.domain, &self.grid);
+        let count = self.sides.len();
+        let mut direction = setup.field.clone();
+        let mut table = Table::new(self.domain, &self.grid, &self.sides);
+        for _ in 0..AGREE {
+            let slowness = stage.quiet().map(count, |k| 1.0 / self.width(setup, k, &direction))?;
+            let seeds: Vec<(usize, f64)> = self.near.iter().map(|&(k, d)| (k, d * slowness[k])).collect();
+            let times = fronts.times(&seeds, &slowness);
+            let longest = times.iter().copied().filter(|t| t.is_finite()).fold(0.0, f64::max);
+            let signed: Vec<f64> =
+                times.iter().zip(&self.sides).map(|(t, side)| t.min(longest) * side).collect();
+            table = Table::new(self.domain, &self.grid, &signed);
+            direction = Field::Given(Arc::new(table.clone()));
+        }
+        Ok(table)
+    }
+
+    /// About how wide the strip at a node is, mm, for a feed along the level line of `direction`.
+    pub(super) fn width(&self, setup: &Setup, node: usize, direction: &Field) -> f64 {
+        let uv = self.uv(node);
+        let wide = || {
+            let (jet, frame) = contact_frame(setup.face, direction, uv, false)?;
+            let curvature = Curvature::of(&jet, &frame)?;
+            let posture = setup.postures.at(uv, false);
+            let strip = model_strip(setup.cutter, posture, &curvature, setup.finish.scallop);
+            let (left, right) = strip.half_widths()?;
+            Some(left + right)
+        };
+        let width = wide().filter(|w| w.is_finite()).unwrap_or(self.flat);
+        width.clamp(NARROWEST * self.flat, WIDEST * self.flat)
+    }
+}
