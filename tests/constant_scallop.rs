@@ -19,6 +19,13 @@ fn length(plan: &Plan) -> f64 {
     plan.emitted.toolpath.length(Role::Cut)
 }
 
+/// The largest turn of the axis in a cutting move, radians.
+fn most_turn(plan: &Plan) -> f64 {
+    let pairs = plan.emitted.toolpath.moves.windows(2);
+    let cuts = pairs.filter(|w| w[1].role == Role::Cut);
+    cuts.map(|w| w[0].to.axis.angle_between(w[1].to.axis)).fold(0.0, f64::max)
+}
+
 /// Excess at most the scallop plus what sampling can miss, gouge at most a micrometre; the median cusp.
 fn proven((spec, plan): &(Spec, Plan)) -> f64 {
     let verified = plan.prove(&Stage::silent()).unwrap().unwrap().verified;
@@ -28,6 +35,7 @@ fn proven((spec, plan): &(Spec, Plan)) -> f64 {
     assert!(excess <= limit, "{name}: {excess} of {h} at {:?}", verified.largest_excess_at);
     assert!(gouge >= -0.001, "{name}: {gouge} at {:?}", verified.largest_gouge_at);
     assert!(verified.uncut_area_mm2 <= 0.0, "{name}: {} mm² uncut", verified.uncut_area_mm2);
+    assert!(most_turn(plan) <= 0.06, "{name}: the axis turns by {} at once", most_turn(plan));
     let Ok((Shape::Face(face), _)) = spec.source.shape(None) else { panic!("a face") };
     cusps::median_cusp(plan, &face, h, 0.15, &Stage::silent())
 }

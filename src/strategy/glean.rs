@@ -141,7 +141,10 @@ impl Family<'_> {
             spot.iter().any(|(_, p)| p.distance_squared(here) < near * near)
         };
         let mut pieces = Vec::new();
-        let level = level.clamp(self.levels.lo + self.margin(), self.levels.hi - self.margin());
+        let (low, high) = self.lines.range();
+        if !(low..=high).contains(&level) {
+            return Vec::new();
+        }
         for line in self.lines.lines(level) {
             for run in line.nodes.chunk_by(|a, b| is_near(a) && is_near(b)) {
                 if run.len() > 1 {

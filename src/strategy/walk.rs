@@ -95,8 +95,13 @@ impl Walker<'_> {
         depth: usize,
         out: &mut Vec<Option<At>>,
     ) {
-        if depth == 0 || self.is_straight(a, (ta, tb), b) {
+        if self.is_straight(a, (ta, tb), b) {
             out.push(b);
+            return;
+        }
+        if depth == 0 {
+            // The feed turns at once, where fronts meet or a plane touches the face: no move leads on from here.
+            out.extend([None, b]);
             return;
         }
         let middle = 0.5 * (ta + tb);

@@ -5,7 +5,7 @@ use crate::geometry::{Fronts, Uv};
 use crate::strategy::family::Family;
 use glam::DVec3;
 
-/// Places a side of each cell there.
+/// Parts that a side of each cell there has.
 const FINER: usize = 4;
 /// Where directions at neighbouring nodes have a lower cosine than this (18°), strips bend or fronts meet.
 const BENT: f64 = 0.95;
@@ -34,7 +34,7 @@ pub(super) fn places(family: &Family, offset: &Offset) -> Vec<Uv> {
     {
         let (low, high) = (offset.grid.uv(i, j), offset.grid.uv(i + 1, j + 1));
         let at = |a: f64, b: f64, k: usize| a + (b - a) * k as f64 / FINER as f64;
-        let inside = (0..FINER * FINER).map(|k| (k % FINER, k / FINER));
+        let inside = (0..(FINER + 1) * (FINER + 1)).map(|k| (k % (FINER + 1), k / (FINER + 1)));
         places.extend(inside.map(|(p, q)| Uv::new(at(low.u, high.u, p), at(low.v, high.v, q))));
     }
     places
