@@ -9,6 +9,8 @@ export default defineConfig({
   reporter: 'list',
   // WebGL is drawn in software here: more than two pages at once only wait for one another.
   workers: 2,
+  // Real files take minutes: they must not wait for one another.
+  fullyParallel: true,
   retries: 0,
   timeout: 120_000,
   expect: { timeout: 60_000 },

@@ -99,6 +99,9 @@ function proof({ verified, scallop_mm }, chord, isProving) {
   );
 }
 
+/** Half of the last digit shown, mm. */
+const ROUNDING = 0.00005;
+
 /**
  * What the proof comes to, and the limit concerned.
  *
@@ -108,11 +111,11 @@ function proof({ verified, scallop_mm }, chord, isProving) {
  * @returns {[string, string]}
  */
 function verdict(v, scallop, chord) {
-  // Each extreme is read against its limit and what sampling can miss.
-  const blur = v.sampling_error_mm ?? 0;
+  // What a sample met is there: the sampling error is only about what none met. Rounding is not told as a miss.
+  const over = (/** @type {number} */ value, /** @type {number} */ limit) => value > limit + ROUNDING;
   if (v.largest_excess_mm === null || v.uncut_area_mm2 > 0) return ['uncut', format.area(v.uncut_area_mm2)];
-  if ((v.largest_gouge_mm ?? 0) < -chord - blur) return ['deep', format.micron(chord)];
-  if (v.largest_excess_mm > scallop + blur) return ['high', format.micron(scallop)];
+  if (over(-(v.largest_gouge_mm ?? 0), chord)) return ['deep', format.micron(chord)];
+  if (over(v.largest_excess_mm, scallop)) return ['high', format.micron(scallop)];
   return ['good', format.micron(scallop)];
 }
 
