@@ -185,7 +185,27 @@ impl Outcome {
 
     /// x, y, z a move: where the cutter touches at its end, or its tip where it touches nothing.
     pub fn contacts(&self) -> Float32Array {
-        let flat: Vec<f32> = self.plan.contacts.iter().flat_map(|p| p.as_vec3().to_array()).collect();
+        let flat: Vec<f32> =
+            self.plan.touches.iter().flat_map(|touch| touch.point.as_vec3().to_array()).collect();
+        Float32Array::from(&flat[..])
+    }
+
+    /// Four numbers a move, of where it ends: lead and yaw (degrees), width of the strip (mm), and what keeps the lead from
+    /// being less: the number of its [`Bound`](crate::toolpath::Bound), counted from 0. Not numbers where the cutter touches nothing or nothing is known.
+    pub fn postures(&self) -> Float32Array {
+        let flat: Vec<f32> = self
+            .plan
+            .touches
+            .iter()
+            .flat_map(|touch| match touch.contact {
+                Some((posture, work)) => {
+                    let strip = work.strip.unwrap_or(f64::NAN);
+                    [posture.lead.to_degrees(), posture.yaw.to_degrees(), strip, f64::from(work.bound as u8)]
+                }
+                None => [f64::NAN; 4],
+            })
+            .map(|x| x as f32)
+            .collect();
         Float32Array::from(&flat[..])
     }
 

@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 use std::num::NonZeroUsize;
 use stepover::job::{self, Plan, Shape, Spec};
 use stepover::monitor::{Silent, Stage};
-use stepover::toolpath::Role;
+use stepover::toolpath::{Bound, Role};
 
 #[path = "support/cusps.rs"]
 mod cusps;
@@ -66,8 +66,8 @@ const RING: &str = r#"{"kind": "torus", "major_mm": 30, "minor_mm": 10, "angle_d
 fn on_a_plane_passes_are_parallel_and_a_strip_apart() {
     let (_, plan) = planned(&analytic(PLANE, "v_low", "u")[0]);
     let passes: Vec<f64> = {
-        let moves = plan.emitted.toolpath.moves.iter().zip(&plan.contacts);
-        let mut ys: Vec<f64> = moves.filter(|(m, _)| m.role == Role::Cut).map(|(_, p)| p.y).collect();
+        let moves = plan.emitted.toolpath.moves.iter().zip(&plan.touches);
+        let mut ys: Vec<f64> = moves.filter(|(m, _)| m.role == Role::Cut).map(|(_, t)| t.point.y).collect();
         ys.sort_by(f64::total_cmp);
         ys.dedup_by(|b, a| *b - *a < 0.1);
         ys
@@ -78,6 +78,11 @@ fn on_a_plane_passes_are_parallel_and_a_strip_apart() {
     // All but the last, which the border stops, within half a percent.
     let inner = &steps[..steps.len() - 1];
     assert!(inner.iter().all(|s| (s / inner[0] - 1.0).abs() < 5e-3), "{steps:?}");
+    // What is told of each contact: the posture that was given, and strips as wide as passes are apart.
+    let told: Vec<_> = plan.touches.iter().filter_map(|t| t.contact).collect();
+    let strips: Vec<f64> = told.iter().filter_map(|(_, work)| work.strip).collect();
+    assert!(strips.len() > told.len() / 2 && told.iter().all(|(_, work)| work.bound == Bound::Given));
+    assert!(strips.iter().all(|s| (s / inner[0] - 1.0).abs() < 5e-3), "{strips:?}");
 }
 
 #[test]

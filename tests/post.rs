@@ -4,7 +4,7 @@ use glam::DVec3;
 use proptest::prelude::*;
 use stepover::cutter::Cutter;
 use stepover::post::{Program, ReadError, Unit, WriteError, apt, csv, gcode};
-use stepover::toolpath::{ClPoint, Move, Rate, Role, Toolpath};
+use stepover::toolpath::{Bound, ClPoint, Move, Posture, Rate, Role, Toolpath, Touch, Work};
 
 fn step(tip: [f64; 3], axis: [f64; 3], rate: Rate, role: Role) -> Move {
     Move { to: ClPoint { tip: tip.into(), axis: DVec3::from(axis).normalize() }, rate, role }
@@ -51,7 +51,14 @@ fn gcode_text_is_as_ever() {
 
 #[test]
 fn table_is_as_ever() {
-    insta::assert_snapshot!(csv::write(&program(0.2, Unit::Mm).toolpath));
+    let touch = |x: f64, strip| {
+        let posture = Posture { lead: 0.2, yaw: -0.5 };
+        let contact = Some((posture, Work { strip, bound: Bound::Curvature }));
+        Touch { point: DVec3::new(x, 0.1, 0.0), contact }
+    };
+    let none = Touch { point: DVec3::ZERO, contact: None };
+    let touches = [none, none, touch(0.0, None), touch(9.9, Some(1.25)), touch(20.0, Some(0.75)), none];
+    insta::assert_snapshot!(csv::write(&program(0.2, Unit::Mm).toolpath, &touches));
 }
 
 fn assert_same_path(a: &Toolpath, b: &Toolpath, tip: f64, axis: f64, feed: f64) {

@@ -9,7 +9,7 @@ use stepover::job::{self, Spec};
 use stepover::math::frame::Frame;
 use stepover::monitor::Stage;
 use stepover::posture::{Ground, Limits, PostureField, Rule, choose};
-use stepover::toolpath::Posture;
+use stepover::toolpath::{Bound, Posture};
 
 const WORLD: Frame = Frame { f: DVec3::X, b: DVec3::Y, n: DVec3::Z };
 
@@ -56,6 +56,7 @@ fn on_a_plane_the_least_lead_without_yaw_is_widest() {
     for (u, v) in [(0.0, 0.0), (-15.0, 3.0), (11.0, -8.0)] {
         let Posture { lead, yaw } = postures.at(Uv::new(u, v), false);
         assert!((lead.to_degrees() - 2.0).abs() < 1e-9 && yaw.abs() < 0.03, "{lead} {yaw}");
+        assert_eq!(postures.bound(Uv::new(u, v), false), Bound::Least);
     }
 }
 
@@ -86,6 +87,7 @@ fn in_a_trough_curvatures_match() {
     let postures = choose(&Rule::Matched(Limits::default()), &ground, false, &Stage::silent()).unwrap();
     let matched = postures.at(MIDDLE, false);
     assert!((11.66..11.9).contains(&matched.lead.to_degrees()) && matched.yaw == 0.0, "{matched:?}");
+    assert!(matches!(postures.bound(MIDDLE, false), Bound::Curvature | Bound::Beside));
     assert!((width(matched) / 9.03 - 1.0).abs() < 0.03, "{}", width(matched));
     assert!(postures.misfits().is_empty());
     let postures = choose(&Rule::Widest(Limits::default()), &ground, false, &Stage::silent()).unwrap();
@@ -201,6 +203,7 @@ fn where_nothing_fits_the_largest_cutter_that_does_is_told() {
     };
     let postures = choose(&Rule::Widest(Limits::default()), &ground, false, &Stage::silent()).unwrap();
     assert!(postures.misfits().len() > 100);
+    assert!(postures.misfits().iter().all(|&uv| postures.bound(uv, false) == Bound::Misfit));
     let share = postures.largest_fit().unwrap();
     assert!((0.36..0.465).contains(&share), "{share}");
 }

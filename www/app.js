@@ -13,6 +13,7 @@ import { createState } from './state.js';
 import { t } from './text/index.js';
 import { createAction } from './view/action.js';
 import { createStepoverChart } from './view/chart-stepover.js';
+import { createContact } from './view/contact.js';
 import { attribute, h, icon } from './view/dom.js';
 import { createDownloads } from './view/downloads.js';
 import { createLegend } from './view/legend.js';
@@ -88,6 +89,7 @@ const views = [
   createAction(place('action'), { onPlan: session.plan, onCancel: () => planner.cancel() }),
   createNotice(place('notice'), { onClose: () => state.set({ problem: null }) }),
   createResults(place('results')),
+  createContact(place('contact')),
   createDownloads(place('save')),
   createLegend(place('legend')),
   createStepoverChart(place('chart'), {
@@ -238,7 +240,10 @@ async function start() {
   // The picture's code is the largest part of the page: the planner is at work while it loads.
   const drawing = import('./view/canvas3d.js')
     .then(({ createCanvas3d }) => {
-      canvas = createCanvas3d(place('canvas'), { onFace: (index) => editSource('face', index) });
+      canvas = createCanvas3d(place('canvas'), {
+        onFace: (index) => editSource('face', index),
+        onAt: (at) => state.set({ at }),
+      });
       canvas.update(state.get());
     })
     .catch(() => place('canvas').append(h('p', { class: 'help' }, t('canvas.none'))));

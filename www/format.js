@@ -24,6 +24,9 @@ function withUnit(value, unit) {
 /** @param {number} mm */
 export const length = (mm) => withUnit(mm, 'mm');
 
+/** @param {number} value */
+export const degrees = (value) => `${fixed(value, 1)}°`;
+
 /** @param {number} mm2 */
 export const area = (mm2) => withUnit(mm2, 'mm²');
 

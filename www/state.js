@@ -20,7 +20,15 @@ function empty() {
     job: null,
     problem: null,
     chart: { isOpen: false, radius: 50, stepovers: null, hasFailed: false },
-    layers: { passes: true, links: true, rapids: true, excess: true, zones: true, side: false, cutter: true },
+    layers: {
+      passes: true,
+      links: true,
+      rapids: true,
+      tint: 'excess',
+      zones: true,
+      side: false,
+      cutter: true,
+    },
     at: 1,
     dragging: false,
   };

@@ -31,10 +31,11 @@
  * A gouge is 0 or negative; what is `null` has no bound, or was not cut.
  *
  * @typedef {{ report: Report, seconds: number, proofSeconds: number | null, path: Float32Array,
- *   contacts: Float32Array, zones: Float32Array, zoneEdge: number, outline: Float32Array, picture: Picture | null, excess: Float32Array | null,
+ *   contacts: Float32Array, postures: Float32Array, zones: Float32Array, zoneEdge: number, outline: Float32Array, picture: Picture | null, excess: Float32Array | null,
  *   files: { apt: Blob, nc: Blob | null, csv: Blob, report: Blob } }} Outcome
  * `path` has eight numbers a point: tip x, y, z, axis i, j, k, kind (0 cut, 1 link, 2 rapid), length so far.
- * `contacts` has three: where the cutter touches, or the tip on links. `excess` has one a vertex of the picture; both come with
+ * `contacts` has three: where the cutter touches, or the tip on links. `postures` has four: lead and yaw in degrees, the width of
+ * the strip in millimetres, and the number of what keeps the lead from being less; not numbers where it touches nothing. `excess` has one a vertex of the picture; both come with
  * the proof. `zones` has the middles of cubes with edges of `zoneEdge` millimetres. `outline` has the cutter's radius and height a point.
  *
  * @typedef {{ radius_mm: number | null, tilt_deg: number[], circle_mm: (number | null)[], lead_mm: (number | null)[],
@@ -54,8 +55,11 @@
  * Everything that a person edits, and what undo goes back to.
  *
  * @typedef {{ op: string, phase: string, fraction: number, draft: Draft }} Job
- * @typedef {{ passes: boolean, links: boolean, rapids: boolean, excess: boolean, zones: boolean, side: boolean,
+ * @typedef {{ passes: boolean, links: boolean, rapids: boolean, tint: TintName, zones: boolean, side: boolean,
  *   cutter: boolean }} Layers
+ * @typedef {'none' | 'excess' | 'lead' | 'yaw' | 'strip'} TintName
+ * @typedef {{ values: Float32Array, low: number, high: number, color: (value: number) => number[] }} Tint
+ * A number for each vertex of the picture, and sRGB for numbers, of which `low` is −1 and `high` 1.
  * @typedef {{ schema: Schema | null, gallery: GalleryItem[], draft: Draft | null, canUndo: boolean,
  *   canRedo: boolean, picture: Picture | null, outline: Float32Array | null, faces: Map<number, Picture>, outcome: Outcome | null, planned: Draft | null,
  *   job: Job | null, problem: Problem | null, chart: Chart, layers: Layers, at: number, dragging: boolean }} State

@@ -55,6 +55,7 @@ const operations = {
     const arrays = {
       path: outcome.path(),
       contacts: outcome.contacts(),
+      postures: outcome.postures(),
       zones: unreached.centers(),
       outline: planner.outline(text),
     };

@@ -12,7 +12,7 @@ use crate::monitor::Stage;
 use crate::post::{self, Program};
 use crate::posture::Rule;
 use crate::strategy::{self, LOOK, Linked, Planned, RasterError, RasterOptions, Refuge};
-use crate::toolpath::{ClPoint, Posture};
+use crate::toolpath::{ClPoint, Posture, Touch};
 use crate::verify::{self, Options, Samples, Verification};
 use glam::DVec3;
 
@@ -33,8 +33,8 @@ pub struct Plan {
     pub csv: String,
     /// The program as its own text states it.
     pub emitted: Program,
-    /// For every move of the program where the cutter touches at its end, or its tip where it touches nothing.
-    pub contacts: Vec<DVec3>,
+    /// What every move of the program meets at its end.
+    pub touches: Vec<Touch>,
 }
 
 /// What the simulation gives.
@@ -95,10 +95,10 @@ pub fn plan(spec: &Spec, bytes: Option<&[u8]>, stage: &Stage) -> Result<Plan, Jo
         planned,
         warnings,
         nc: post::gcode::write(&program).ok(),
-        csv: post::csv::write(&emitted.toolpath),
+        csv: post::csv::write(&emitted.toolpath, &linked.touches),
         apt,
         emitted,
-        contacts: linked.contacts,
+        touches: linked.touches,
     })
 }
 

@@ -1,5 +1,6 @@
 //! Postures for a whole face at once.
 
+use super::bound::{Leads, bounds};
 use super::clear::half_width;
 use super::field::Way;
 use super::fit::largest_fit;
@@ -57,16 +58,14 @@ pub fn choose(rule: &Rule, ground: &Ground, both: bool, stage: &Stage) -> Result
     let radius = ground.cutter.center_radius + ground.cutter.corner_radius;
     let grid = FaceGrid::new(ground.face, 2.0 * CELL * radius, CELLS[0], CELLS[1]);
     let half = if both { 0.5 } else { 1.0 };
-    let (lattice, postures, misfits) =
+    let (lattice, way, misfits) =
         one_way(&limits, ground, &grid, false, &stage.part("Choosing postures", 0.0, half))?;
-    let typical = mean(&lattice, &postures);
+    let typical = mean(&lattice, &way.postures);
     let fit = largest_fit(ground, &limits, misfits.iter().map(|&i| &lattice.nodes[i]));
     let spots = misfits.iter().map(|&i| lattice.nodes[i].uv).collect();
-    let mut ways = vec![Way { axes: lattice.axes, postures }];
+    let mut ways = vec![way];
     if both {
-        let (lattice, postures, _) =
-            one_way(&limits, ground, &grid, true, &stage.part("Choosing postures", half, 1.0))?;
-        ways.push(Way { axes: lattice.axes, postures });
+        ways.push(one_way(&limits, ground, &grid, true, &stage.part("Choosing postures", half, 1.0))?.1);
     }
     Ok(PostureField::chosen(typical, ways, spots, fit))
 }
@@ -77,7 +76,7 @@ fn one_way(
     grid: &FaceGrid,
     reversed: bool,
     stage: &Stage,
-) -> Result<(Lattice, Vec<Posture>, Vec<usize>), Cancelled> {
+) -> Result<(Lattice, Way, Vec<usize>), Cancelled> {
     let part = |from, to| stage.part("Choosing postures", from, to);
     let lattice = Lattice::new(ground, grid, reversed, &part(0.0, 0.05))?;
     let turns = allowed_turns(limits, &lattice);
@@ -101,12 +100,16 @@ fn one_way(
         }
     }
     let yaws = lattice.steadied(&wished, &allowed_yaws(ground, &lattice, &leads, &halves));
+    let local = floors.clone();
     let (leads, misfits) =
         clear_leads(ground, limits, &lattice, &yaws, &mut floors, &halves, &part(0.5, 1.0))?;
+    let told = Leads { yaws: &wished, local: &local, floors: &floors, chosen: &leads, misfits: &misfits };
+    let bounds = bounds(ground, limits, &lattice, &told);
     // Where clearance took more lead than was thought, the same yaw turns the axis more.
     let yaws = lattice.steadied(&yaws, &allowed_yaws(ground, &lattice, &leads, &halves));
     let postures = leads.into_iter().zip(yaws).map(|(lead, yaw)| Posture { lead, yaw }).collect();
-    Ok((lattice, postures, misfits))
+    let way = Way { axes: lattice.axes.clone(), postures, bounds };
+    Ok((lattice, way, misfits))
 }
 
 /// The area of the face in strips' widths, over some of the nodes: about how long passes are, in mm, where all nodes count.

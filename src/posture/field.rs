@@ -3,7 +3,7 @@
 use super::spline::Axis;
 use crate::geometry::{Jet, Uv};
 use crate::math::frame::Frame;
-use crate::toolpath::Posture;
+use crate::toolpath::{Bound, Posture};
 
 /// The posture at any place of a face, for one way of feed through every place and, where it was asked for, for the other.
 #[derive(Debug, Clone)]
@@ -30,6 +30,8 @@ pub(super) struct Way {
     pub(super) axes: [Axis; 2],
     /// Lead and yaw at the nodes, u running fastest.
     pub(super) postures: Vec<Posture>,
+    /// What keeps each lead from being less; empty where nobody asks.
+    pub(super) bounds: Vec<Bound>,
 }
 
 impl PostureField {
@@ -63,6 +65,14 @@ impl PostureField {
             yaw: along_u.yaw * u + along_v.yaw * v,
         });
         (posture, turning)
+    }
+
+    /// What keeps the lead at `uv` from being less.
+    pub fn bound(&self, uv: Uv, reversed: bool) -> Bound {
+        self.way(reversed).map_or(Bound::Given, |way| {
+            let [i, j] = [way.axes[0].nearest(uv.u), way.axes[1].nearest(uv.v)];
+            way.bounds[j * way.axes[0].len() + i]
+        })
     }
 
     /// Whether the posture is the same everywhere.

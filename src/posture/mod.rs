@@ -3,6 +3,7 @@
 //! A posture is a function of the place on the face and of the way of feed there. [`choose`] finds it once for a face, at
 //! the nodes of a grid, and [`PostureField`] answers for any place between them.
 
+mod bound;
 mod choose;
 mod clear;
 mod field;

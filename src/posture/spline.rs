@@ -42,6 +42,11 @@ impl Axis {
         }
     }
 
+    /// The node nearest to `x`.
+    pub(super) fn nearest(&self, x: f64) -> usize {
+        self.weights(x).nodes[1]
+    }
+
     /// Length of parameter that belongs to the node `i`.
     pub(super) fn share(&self, i: usize) -> f64 {
         let i = i as isize;

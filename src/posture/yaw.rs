@@ -77,7 +77,7 @@ pub(super) fn yaws(
         }
     }
     let postures = yaws.into_iter().map(|yaw| Posture { lead: 0.0, yaw }).collect();
-    let way = Way { axes: lattice.axes, postures };
+    let way = Way { axes: lattice.axes, postures, bounds: Vec::new() };
     Ok(fine.nodes.iter().map(|node| way.at(node.uv).0.yaw).collect())
 }
 

@@ -2,7 +2,7 @@
 
 use crate::cutter::Cutter;
 use crate::monitor::{Cancelled, Stage};
-use crate::toolpath::{ClPoint, Move, Pass, Rate, Role, Toolpath};
+use crate::toolpath::{ClPoint, Move, Pass, Rate, Role, Station, Toolpath, Touch};
 use glam::DVec3;
 
 /// How passes are joined.
@@ -33,13 +33,13 @@ pub const LOOK: f64 = 0.2;
 /// Most moves of a crossing around the part.
 const ARC: usize = 24;
 
-/// A motion with the point where each of its moves ends touching the part.
+/// A motion with what each of its moves meets at its end.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Linked {
     /// The motion.
     pub toolpath: Toolpath,
-    /// For every move where the cutter touches at its end, or its tip where it touches nothing; for drawing.
-    pub contacts: Vec<DVec3>,
+    /// What every move meets at its end; for people to see.
+    pub touches: Vec<Touch>,
 }
 
 /// The motion along `passes` in their order.
@@ -62,10 +62,10 @@ pub fn link(
             None => linker.approach(first.cl),
             Some(from) => linker.cross(from, first.cl, is_clear),
         }
-        linker.touch(first.cc.point);
+        linker.touch(first);
         for station in &pass.stations[1..] {
             linker.push(station.cl, Rate::Feed(how.cut_feed), Role::Cut);
-            linker.touch(station.cc.point);
+            linker.touch(station);
         }
     }
     if let Some(last) = linker.last() {
@@ -150,7 +150,7 @@ impl Linker<'_> {
     fn push(&mut self, to: ClPoint, rate: Rate, role: Role) {
         if self.last().is_none_or(|last| last != to) {
             self.linked.toolpath.moves.push(Move { to, rate, role });
-            self.linked.contacts.push(to.tip);
+            self.linked.touches.push(Touch { point: to.tip, contact: None });
         }
     }
 
@@ -158,10 +158,10 @@ impl Linker<'_> {
         self.linked.toolpath.moves.last().map(|m| m.to)
     }
 
-    /// Says that the last move ended touching `point`.
-    fn touch(&mut self, point: DVec3) {
-        if let Some(last) = self.linked.contacts.last_mut() {
-            *last = point;
+    /// Says that the last move ended at `station`.
+    fn touch(&mut self, Station { cc, work, .. }: &Station) {
+        if let Some(last) = self.linked.touches.last_mut() {
+            *last = Touch { point: cc.point, contact: Some((cc.posture, *work)) };
         }
     }
 

@@ -58,7 +58,7 @@ fn reversed(mut pass: Pass) -> Pass {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::toolpath::{CcPoint, ClPoint, Posture, Station};
+    use crate::toolpath::{CcPoint, ClPoint, Posture, Station, Work};
     use glam::DVec3;
 
     fn pass(from: f64, to: f64, y: f64) -> Pass {
@@ -66,7 +66,7 @@ mod tests {
             let point = DVec3::new(x, y, 0.0);
             let frame = Frame { f: DVec3::X, b: DVec3::Y, n: DVec3::Z };
             let cc = CcPoint { point, frame, posture: Posture::default() };
-            Station { cc, cl: ClPoint { tip: point, axis: DVec3::Z } }
+            Station { cc, cl: ClPoint { tip: point, axis: DVec3::Z }, work: Work::default() }
         };
         Pass { stations: vec![station(from), station(to)] }
     }

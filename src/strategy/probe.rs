@@ -6,7 +6,7 @@ use crate::cutter::Cutter;
 use crate::geometry::{Curvature, Face, Field, IsoLine, Jet, Uv};
 use crate::math::frame::Frame;
 use crate::posture::{PostureField, moving_strip};
-use crate::toolpath::{CcPoint, ClPoint, Station};
+use crate::toolpath::{Bound, CcPoint, ClPoint, Station, Work};
 use glam::DVec3;
 
 /// Everything that decides what the cutter does at a point of a family of level lines.
@@ -75,14 +75,18 @@ impl Setup<'_> {
     pub(super) fn station(&self, uv: Uv, reversed: bool) -> Option<Station> {
         let (jet, frame) = self.frame(uv, reversed)?;
         let cc = CcPoint { point: jet.p, frame, posture: self.postures.at(uv, reversed) };
-        Some(Station { cc, cl: cl_of(self.cutter, &cc) })
+        let work = Work { strip: None, bound: self.postures.bound(uv, reversed) };
+        Some(Station { cc, cl: cl_of(self.cutter, &cc), work })
     }
 
-    /// The `station` with so much more lead, radians.
+    /// The `station` with so much more lead, radians, which its body then needs.
     pub(super) fn leaning(&self, station: &Station, more: f64) -> Station {
-        let mut cc = station.cc;
+        let Station { mut cc, mut work, .. } = *station;
         cc.posture.lead += more;
-        Station { cc, cl: cl_of(self.cutter, &cc) }
+        if more > 0.0 {
+            work.bound = Bound::Body;
+        }
+        Station { cc, cl: cl_of(self.cutter, &cc), work }
     }
 
     /// Whether the cutter at `station`, which stands at `uv`, reaches into the face nowhere: neither beside its contact
@@ -148,13 +152,35 @@ impl Setup<'_> {
         else {
             return self.strip;
         };
-        let half = |edge: Edge| match edge {
-            Edge::Reached(foot) | Edge::Border(foot) => {
-                (self.face.surface.point(foot) - jet.p).dot(frame.b).abs()
-            }
-            Edge::Gouge(_) => 0.0,
-        };
+        let half = |edge| self.half(&frame, jet.p, edge).unwrap_or(0.0);
         (2.0 * half(strip.left).max(half(strip.right))).max(self.strip)
+    }
+
+    /// Width of the strip at `uv` of the cutter at `station`, mm; a half that ends at a border counts as much as the other. `None`
+    /// where both do, where the cutter digs in, and at a pole.
+    pub(super) fn width(&self, uv: Uv, reversed: bool, station: &Station) -> Option<f64> {
+        let more = station.cc.posture.lead - self.postures.at(uv, reversed).lead;
+        let strip = self.moving_strip(uv, reversed, more)?;
+        let [left, right] = [
+            self.half(&station.cc.frame, station.cc.point, strip.left)?,
+            self.half(&station.cc.frame, station.cc.point, strip.right)?,
+        ];
+        match (strip.left, strip.right) {
+            (Edge::Border(_), Edge::Reached(_)) => Some(2.0 * right),
+            (Edge::Reached(_), Edge::Border(_)) => Some(2.0 * left),
+            (Edge::Border(_), Edge::Border(_)) => None,
+            _ => Some(left + right),
+        }
+    }
+
+    /// How far `edge` lies beside the `contact` with this frame, mm; `None` where the cutter digs in.
+    fn half(&self, frame: &Frame, contact: DVec3, edge: Edge) -> Option<f64> {
+        match edge {
+            Edge::Reached(foot) | Edge::Border(foot) => {
+                Some((self.face.surface.point(foot) - contact).dot(frame.b).abs())
+            }
+            Edge::Gouge(_) => None,
+        }
     }
 
     /// How far the edges of the strip at `uv` lie behind its contact or ahead of it, mm, and a little more.

@@ -4,12 +4,13 @@ use super::probe::{GOUGE, Setup};
 use crate::contact::contact_of;
 use crate::geometry::{Curvature, IsoLine, Range, Uv};
 use crate::math::frame::Frame;
-use crate::toolpath::{CcPoint, ClPoint, Pass, Station};
+use crate::toolpath::{CcPoint, ClPoint, Pass, Station, Work};
 use glam::DVec3;
 
 /// A station on the line, and whether the cutter can stand there.
 #[derive(Debug, Clone, Copy)]
 struct At {
+    uv: Uv,
     station: Station,
     clear: bool,
 }
@@ -65,7 +66,7 @@ impl Walker<'_> {
     fn at(&self, t: f64) -> Option<At> {
         let (uv, station) = self.station(t)?;
         if self.setup.postures.is_fixed() {
-            return Some(At { station, clear: self.setup.fits(&station, uv) });
+            return Some(At { uv, station, clear: self.setup.fits(&station, uv) });
         }
         // Between the places where postures were chosen a little more lead may be needed.
         let fitting = (0..MORE_LEADS).find_map(|k| {
@@ -75,7 +76,7 @@ impl Walker<'_> {
                 self.setup.fits(&station, uv) && self.setup.slides_clear(uv, self.reversed, more, &station);
             clear.then_some(station)
         });
-        Some(At { station: fitting.unwrap_or(station), clear: fitting.is_some() })
+        Some(At { uv, station: fitting.unwrap_or(station), clear: fitting.is_some() })
     }
 
     fn station(&self, t: f64) -> Option<(Uv, Station)> {
@@ -171,7 +172,7 @@ impl Walker<'_> {
         let mut start = 0;
         for run in ats.chunk_by(|a, b| clear(a).is_some() == clear(b).is_some()) {
             if run.len() > 1 && clear(&run[0]).is_some() {
-                let mut stations: Vec<Station> = run.iter().flatten().map(|at| at.station).collect();
+                let mut stations: Vec<Station> = run.iter().flatten().map(|at| self.worked(at)).collect();
                 if start == 0 {
                     let before = self.run_out(self.nodes[0], &stations[0], -1.0);
                     stations.splice(0..0, before.into_iter().rev());
@@ -185,6 +186,12 @@ impl Walker<'_> {
             start += run.len();
         }
         passes
+    }
+
+    /// The station with the width of its strip.
+    fn worked(&self, At { uv, station, .. }: &At) -> Station {
+        let strip = self.setup.width(*uv, self.reversed, station);
+        Station { work: Work { strip, ..station.work }, ..*station }
     }
 
     /// The stations beyond the border at an end of the line, on (`toward` +1) or back (−1): so far that the whole width of
@@ -221,7 +228,7 @@ impl Walker<'_> {
             let s = toward * way * i as f64 / count as f64;
             let (point, n, along) = arc(&end.cc, [bend, twist], s);
             let cc = CcPoint { point, frame: Frame::from_normal(n, along)?, ..end.cc };
-            let on = Station { cc, cl: end.cl };
+            let on = Station { cc, cl: end.cl, work: Work { strip: None, ..end.work } };
             // What goes on beyond a border is a guess at the surface: more lead makes up for it.
             (0..MORE_LEADS)
                 .map(|k| self.setup.leaning(&on, MORE_LEAD * f64::from(k * k)))

@@ -4,4 +4,4 @@ mod path;
 mod station;
 
 pub use path::{Move, Rate, Role, Toolpath};
-pub use station::{CcPoint, ClPoint, Pass, Posture, Station};
+pub use station::{Bound, CcPoint, ClPoint, Pass, Posture, Station, Touch, Work};

@@ -32,6 +32,36 @@ pub struct ClPoint {
     pub axis: DVec3,
 }
 
+/// What keeps the lead at a contact from being less: less lead is a wider strip.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Bound {
+    /// The posture was given and not chosen.
+    #[default]
+    Given,
+    /// The least lead that was allowed.
+    Least,
+    /// With less the cutter would bend less than the surface and dig in at its contact.
+    Curvature,
+    /// With less the cutter would dig in beside its contact.
+    Beside,
+    /// With less the rear of the bottom, the side or the shank would dig in.
+    Body,
+    /// Neighbours need so much, and the axis may turn no faster.
+    Turn,
+    /// No lead within the limits fits.
+    Misfit,
+}
+
+/// What a contact gets done, and why the cutter leans as it does there. For people to see: nothing is planned from it.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Work {
+    /// Width of the strip that the cutter finishes to the scallop limit, square to the feed, mm; at a border twice its half
+    /// on the other side. `None` where borders end both halves, beyond the surface, and on meshes.
+    pub strip: Option<f64>,
+    /// What keeps the lead from being less.
+    pub bound: Bound,
+}
+
 /// A contact point together with the location that touches it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Station {
@@ -39,6 +69,17 @@ pub struct Station {
     pub cc: CcPoint,
     /// Where that puts the cutter.
     pub cl: ClPoint,
+    /// What it does there.
+    pub work: Work,
+}
+
+/// Where a move of a motion ends on the part.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Touch {
+    /// Where the cutter touches, or its tip where it touches nothing, mm.
+    pub point: DVec3,
+    /// How it leans in its contact frame and what it does there; nothing where it touches nothing.
+    pub contact: Option<(Posture, Work)>,
 }
 
 /// An unbroken run of the cutter over the surface, in feed direction.

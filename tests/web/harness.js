@@ -65,3 +65,11 @@ export async function picture(page, name) {
   mkdirSync(folder, { recursive: true });
   await page.screenshot({ path: `${folder}/${name}.png` });
 }
+
+/** Chooses or types a setting, in whatever section it is. */
+export async function set(page, path, value) {
+  const field = page.locator(`[name="${path}"]`);
+  await field.evaluate((element) => element.closest('details')?.setAttribute('open', ''));
+  if (typeof value === 'string') await field.selectOption(value);
+  else await field.fill(String(value));
+}

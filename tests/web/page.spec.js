@@ -1,18 +1,10 @@
 /** What a person does with the page, in the order in which they do it. */
 import { readFileSync } from 'node:fs';
-import { data, drop, expect, figure, number, proof, test, visit } from './harness.js';
+import { data, drop, expect, figure, number, proof, set, test, visit } from './harness.js';
 
 /** @param {string} name */
 const file = (name) => ({ name, base64: readFileSync(data(name)).toString('base64') });
 const plan = (page) => page.locator('button[name=plan]');
-
-/** Chooses or types a setting, in whatever section it is. */
-async function set(page, path, value) {
-  const field = page.locator(`[name="${path}"]`);
-  await field.evaluate((element) => element.closest('details')?.setAttribute('open', ''));
-  if (typeof value === 'string') await field.selectOption(value);
-  else await field.fill(String(value));
-}
 
 /** Notes from now on what stands on the progress bar whenever anything about it changes. */
 const watchProgress = (page) =>

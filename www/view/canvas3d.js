@@ -1,7 +1,7 @@
 /**
  * The picture of surface, path and cutter. A frame is drawn only when something changed.
  *
- * @import { State } from '../types.js'
+ * @import { Outcome, State } from '../types.js'
  */
 import {
   AmbientLight,
@@ -14,13 +14,15 @@ import {
   WebGLRenderer,
 } from 'three';
 import { t } from '../text/index.js';
+import { createNearest, hasPostures } from './along-path.js';
 import { createCamera } from './camera.js';
 import { createCutterModel } from './cutter-model.js';
 import { h } from './dom.js';
 import { createGround } from './ground.js';
 import { createOtherFaces } from './other-faces.js';
-import { createPathLines, lastCut, locate } from './path-lines.js';
+import { createPathLines, lastCut, locate, shareAt } from './path-lines.js';
 import { createSurfaceMesh } from './surface-mesh.js';
+import { createTints } from './tint.js';
 import { createZones } from './zones.js';
 
 /** Sharper than this nobody sees, and it costs the square. */
@@ -34,9 +36,9 @@ const CLICK = 5;
 
 /**
  * @param {HTMLElement} root
- * @param {{ onFace: (index: number) => void }} callbacks
+ * @param {{ onFace: (index: number) => void, onAt: (at: number) => void }} callbacks
  */
-export function createCanvas3d(root, { onFace }) {
+export function createCanvas3d(root, { onFace, onAt }) {
   const canvas = h('canvas', { tabindex: 0, 'aria-label': t('canvas.label') });
   root.append(canvas);
   const renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
@@ -50,6 +52,7 @@ export function createCanvas3d(root, { onFace }) {
   const zones = createZones();
   const others = createOtherFaces();
   const ground = createGround();
+  const tintOf = createTints();
   const view = createCamera(canvas, move);
   // Lights travel with the eye: whatever is looked at is lit from above the left shoulder.
   const sky = new AmbientLight(0xffffff, 1.15);
@@ -75,6 +78,8 @@ export function createCanvas3d(root, { onFace }) {
   let painted = {};
   let framed = '';
   let sized = '';
+  /** @type {{ outcome: Outcome | null, nearest: ReturnType<typeof createNearest> | null }} */
+  let found = { outcome: null, nearest: null };
 
   function draw() {
     if (scheduled) return;
@@ -132,8 +137,21 @@ export function createCanvas3d(root, { onFace }) {
     const at = new Vector2(((clientX - left) / width) * 2 - 1, 1 - ((clientY - top) / height) * 2);
     ray.setFromCamera(at, view.camera);
     const face = others.pick(ray, surface.mesh);
-    if (face !== null) onFace(face);
+    if (face !== null) {
+      onFace(face);
+      return;
+    }
+    const [hit] = surface.mesh.visible ? ray.intersectObject(surface.mesh) : [];
+    const outcome = last?.outcome;
+    if (hit && outcome && hasPostures(outcome)) goTo(outcome, hit.point);
   });
+
+  /** Moves the cutter to the place on the path that is nearest. @param {Outcome} outcome @param {import('three').Vector3} place */
+  function goTo(outcome, { x, y, z }) {
+    if (found.outcome !== outcome) found = { outcome, nearest: createNearest(outcome) };
+    const place = found.nearest?.(x, y, z) ?? -1;
+    if (place >= 0) onAt(shareAt(outcome.path, place));
+  }
 
   /** @param {State} state */
   function showSurface(state) {
@@ -152,11 +170,11 @@ export function createCanvas3d(root, { onFace }) {
       framed = place;
     }
     if (isNew || painted.outcome !== outcome || painted.layers !== layers) {
-      const coloured = layers.excess && outcome?.report.verified;
-      surface.paint(coloured ? (outcome?.excess ?? null) : null, outcome?.report ?? null);
+      const tint = tintOf(state);
+      surface.paint(tint);
       // Before anything is planned, which side is cut is the question.
       surface.showArrows(layers.side || !outcome);
-      path.show(layers, Boolean(coloured));
+      path.show(layers, tint !== null);
       zones.root.cubes.visible = layers.zones;
     }
   }

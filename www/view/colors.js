@@ -17,7 +17,16 @@ const STOPS = [
   [0x8c, 0x45, 0x06],
 ];
 
-/** Where the excess was not verified. */
+/** sRGB. */
+const RISING = [
+  [0x44, 0x01, 0x54],
+  [0x3b, 0x52, 0x8b],
+  [0x21, 0x91, 0x8c],
+  [0x5e, 0xc9, 0x62],
+  [0xfd, 0xe7, 0x25],
+];
+
+/** Where nothing is known. */
 export const UNKNOWN = [0x8b, 0x94, 0x9e];
 
 /**
@@ -30,14 +39,22 @@ export function excessRange(report) {
 }
 
 /** sRGB bytes for a value from −1 to 1; beyond, the ends. @param {number} value */
-export function excessColor(value) {
-  const place = ((Math.max(-1, Math.min(1, value)) + 1) / 2) * (STOPS.length - 1);
-  const i = Math.min(Math.floor(place), STOPS.length - 2);
-  const share = place - i;
-  return STOPS[i].map((low, k) => low + (STOPS[i + 1][k] - low) * share);
+export const divergingColor = (value) => mixed(STOPS, (value + 1) / 2);
+
+/**
+ * The colours of what has no middle, from −1 to 1; beyond, the ends. Lightness rises evenly (viridis, S. van der Walt and
+ * N. Smith, 2015, CC0).
+ *
+ * @param {number} value
+ */
+export const sequentialColor = (value) => mixed(RISING, (value + 1) / 2);
+
+/** @param {number[][]} stops @param {number} share */
+function mixed(stops, share) {
+  const place = Math.max(0, Math.min(1, share)) * (stops.length - 1);
+  const i = Math.min(Math.floor(place), stops.length - 2);
+  return stops[i].map((low, k) => low + (stops[i + 1][k] - low) * (place - i));
 }
 
-/** @param {number} value */
-export function excessCss(value) {
-  return `rgb(${excessColor(value).map(Math.round).join(' ')})`;
-}
+/** @param {number[]} color */
+export const css = (color) => `rgb(${color.map(Math.round).join(' ')})`;

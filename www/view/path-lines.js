@@ -211,6 +211,16 @@ export function lastCut(path) {
   return all > 0 ? path[point * STRIDE + LENGTH] / all : 1;
 }
 
+/** The share of the path that is done at a place: the move before it and how much of the next. @param {Float32Array} path @param {number} place */
+export function shareAt(path, place) {
+  const last = path.length / STRIDE - 1;
+  const move = Math.min(Math.floor(place), last);
+  const from = path[move * STRIDE + LENGTH];
+  const to = path[Math.min(move + 1, last) * STRIDE + LENGTH];
+  const all = path[last * STRIDE + LENGTH];
+  return all > 0 ? (from + (to - from) * (place - move)) / all : 1;
+}
+
 /**
  * Where the cutter is after a share of the path: the point reached last, and tip and axis between it and the next.
  *

@@ -1,8 +1,8 @@
 /**
- * The surface: shaded, tinted where it is seen from the side that is not cut, coloured by excess, with arrows on
+ * The surface: shaded, tinted where it is seen from the side that is not cut, coloured by numbers, with arrows on
  * the side that is cut.
  *
- * @import { Picture, Report } from '../types.js'
+ * @import { Picture, Tint } from '../types.js'
  */
 import {
   Box3,
@@ -17,7 +17,7 @@ import {
   MeshPhongMaterial,
   Vector3,
 } from 'three';
-import { excessColor, excessRange, UNKNOWN } from './colors.js';
+import { UNKNOWN } from './colors.js';
 
 /** Cells across the picture, an arrow in each, and an arrow's length, as shares of the picture's size. */
 const CELLS = 11;
@@ -86,23 +86,18 @@ export function createSurfaceMesh() {
     },
 
     /**
-     * Colours by excess, or plainly with `null`.
+     * Colours by `tint`, or plainly with `null`.
      *
-     * @param {Float32Array | null} excess
-     * @param {Report | null} report
+     * @param {Tint | null} tint
      */
-    paint(excess, report) {
+    paint(tint) {
       const coloured =
-        excess !== null &&
-        excess.length > 0 &&
-        report !== null &&
+        tint !== null &&
+        tint.values.length > 0 &&
         shown !== null &&
-        excess.length * 3 === shown.positions.length;
+        tint.values.length * 3 === shown.positions.length;
       if (coloured) {
-        mesh.geometry.setAttribute(
-          'color',
-          new BufferAttribute(excessColors(excess, excessRange(report)), 3, true),
-        );
+        mesh.geometry.setAttribute('color', new BufferAttribute(vertexColors(tint), 3, true));
       } else {
         mesh.geometry.deleteAttribute('color');
       }
@@ -126,15 +121,17 @@ export function createSurfaceMesh() {
   };
 }
 
-/** @param {Float32Array} excess @param {number} range */
-function excessColors(excess, range) {
-  const colors = new Uint8Array(excess.length * 3);
+/** @param {Tint} tint */
+function vertexColors({ values, low, high, color: colorOf }) {
+  const colors = new Uint8Array(values.length * 3);
+  // Numbers that are all the same have the colour of the middle.
+  const [middle, half] = [0.5 * (low + high), 0.5 * (high - low) || 1];
   // The renderer takes vertex colours as linear light.
   const linear = Array.from({ length: 256 }, (_, i) =>
     Math.round(new Color().setRGB(i / 255, 0, 0, 'srgb').r * 255),
   );
-  for (let i = 0; i < excess.length; i += 1) {
-    const color = Number.isNaN(excess[i]) ? UNKNOWN : excessColor(excess[i] / range);
+  for (let i = 0; i < values.length; i += 1) {
+    const color = Number.isNaN(values[i]) ? UNKNOWN : colorOf((values[i] - middle) / half);
     for (let k = 0; k < 3; k += 1) colors[3 * i + k] = linear[Math.round(color[k])];
   }
   return colors;

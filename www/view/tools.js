@@ -1,18 +1,18 @@
 /**
  * The picture's controls: standard views, layers, and the position on the path.
  *
- * @import { State, Layers } from '../types.js'
+ * @import { State, Layers, TintName } from '../types.js'
  */
 import { length } from '../format.js';
 import { t } from '../text/index.js';
 import { attribute, h, icon, say } from './dom.js';
+import { TINTS, tintsOf } from './tint.js';
 
 const VIEWS = /** @type {const} */ (['fit', 'iso', 'top', 'front']);
-const LAYERS = /** @type {(keyof Layers)[]} */ ([
+const LAYERS = /** @type {('passes' | 'links' | 'rapids' | 'zones' | 'cutter' | 'side')[]} */ ([
   'passes',
   'links',
   'rapids',
-  'excess',
   'zones',
   'cutter',
   'side',
@@ -49,6 +49,17 @@ export function createTools(roots, { onView, onLayers, onAt }) {
     roots.layers.append(button);
     return { layer, button };
   });
+  const tints = TINTS.map((name) => h('option', { value: name }, t(`tint.${name}`)));
+  const tint = h(
+    'select',
+    {
+      name: 'tint',
+      onchange: () => last && onLayers({ ...last.layers, tint: /** @type {TintName} */ (tint.value) }),
+    },
+    ...tints,
+  );
+  const tinting = h('label', {}, t('tint.label'), tint);
+  roots.layers.prepend(tinting);
 
   const slider = h('input', {
     type: 'range',
@@ -109,16 +120,26 @@ export function createTools(roots, { onView, onLayers, onAt }) {
       const { outcome } = state;
       button.hidden =
         !outcome ||
-        (layer === 'excess' && !outcome.report.verified) ||
         (layer === 'links' && !outcome.report.length.link_mm) ||
         (layer === 'rapids' && !outcome.report.length.rapid_mm) ||
         (layer === 'zones' && outcome.zones.length === 0);
     }
   }
 
+  /** @param {State} state */
+  function showTints({ outcome, layers }) {
+    const there = tintsOf(outcome);
+    tinting.hidden = there.length < 2;
+    tints.forEach((option, i) => {
+      option.hidden = option.disabled = !there.includes(TINTS[i]);
+    });
+    tint.value = there.includes(layers.tint) ? layers.tint : 'none';
+  }
+
   return {
     /** @param {State} state */
     update(state) {
+      if (last?.outcome !== state.outcome || last?.layers !== state.layers) showTints(state);
       last = state;
       const { outcome, at } = state;
       showToggles(state.layers, state);

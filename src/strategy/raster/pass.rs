@@ -3,7 +3,7 @@
 use super::line::Drop;
 use super::turn::Turn;
 use crate::math::frame::Frame;
-use crate::toolpath::{CcPoint, ClPoint, Pass, Posture, Station};
+use crate::toolpath::{CcPoint, ClPoint, Pass, Posture, Station, Work};
 use glam::DVec3;
 
 /// The pass over these drops on the line at `y`.
@@ -24,6 +24,7 @@ pub(super) fn pass(drops: &[Drop], y: f64, turn: &Turn) -> Pass {
         Station {
             cc: CcPoint { point: turn.to_world(d.point), frame, posture },
             cl: ClPoint { tip: turn.to_world(tip(d)), axis: DVec3::Z },
+            work: Work::default(),
         }
     };
     Pass { stations: drops.iter().enumerate().map(station).collect() }
