@@ -12,6 +12,9 @@ use crate::monitor::{Cancelled, Stage};
 use crate::posture::Rule;
 use crate::toolpath::Pass;
 
+/// How far passes run out over a border at least, in strips, where these lie aslant because postures are chosen: what they leave
+/// before it is cut then.
+const RUN_OUT: f64 = 0.7;
 /// Rounds in which short passes are added where something is left.
 const GLEANINGS: usize = 3;
 
@@ -159,8 +162,10 @@ impl<'a> Family<'a> {
         let front = Front::new(&candidate.probes, toward, self.column_period);
         if matches!(self.setup.field, Field::Given(_)) {
             front.bending(toward, self.setup.strip)
-        } else {
+        } else if self.setup.postures.is_fixed() {
             front
+        } else {
+            front.going_on(RUN_OUT * self.setup.strip)
         }
     }
 

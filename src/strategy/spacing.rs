@@ -90,12 +90,17 @@ impl Front {
     /// The front of lines that bend freely, whose strips on flat ground are so wide, mm: where they bend it folds, and its
     /// outermost piece counts; and at their ends it goes on for a part of a strip, since borders cut lines aslant.
     #[must_use]
-    pub(super) fn bending(mut self, toward: Toward, strip: f64) -> Self {
+    pub(super) fn bending(self, toward: Toward, strip: f64) -> Self {
+        Self { folds: Some((toward, strip)), ..self.going_on(BEYOND * strip) }
+    }
+
+    /// The front of lines that go on for so far, mm, beyond their ends.
+    #[must_use]
+    pub(super) fn going_on(mut self, way: f64) -> Self {
         for Stretch { corners: [a, b], overhang } in &mut self.stretches {
             let length = a.point.distance(b.point).max(f64::MIN_POSITIVE);
-            overhang.iter_mut().filter(|o| **o > 0.0).for_each(|o| *o = (BEYOND * strip / length).max(*o));
+            overhang.iter_mut().filter(|o| **o > 0.0).for_each(|o| *o = (way / length).max(*o));
         }
-        self.folds = Some((toward, strip));
         self
     }
 
