@@ -24,7 +24,15 @@ struct Stretch {
     overhang: [f64; 2],
 }
 
-/// Overhang at the ends of a line.
+impl Stretch {
+    /// A way, mm, as a share of its length.
+    fn share(&self, way: f64) -> f64 {
+        let [a, b] = self.corners;
+        way / a.point.distance(b.point).max(f64::MIN_POSITIVE)
+    }
+}
+
+/// Least overhang at the ends of a line.
 const END: f64 = 0.5;
 /// Overhang of a line that bends freely, in strips.
 const BEYOND: f64 = 0.5;
@@ -56,9 +64,15 @@ impl Probe {
 }
 
 impl Front {
-    /// The front of the probed lines towards one side. Where a strip runs over the border the front is infinitely far
+    /// The front of the probed lines towards one side, each of which goes on for so far, mm, beyond its first and its last
+    /// probe. Where a strip runs over the border the front is infinitely far
     /// out; where the cutter cannot go it has a gap.
-    pub(super) fn new(lines: &[Vec<Probe>], toward: Toward, period: Option<f64>) -> Self {
+    pub(super) fn new(
+        lines: &[Vec<Probe>],
+        beyond: &[[f64; 2]],
+        toward: Toward,
+        period: Option<f64>,
+    ) -> Self {
         let outside = match toward {
             Toward::Higher => f64::INFINITY,
             Toward::Lower => f64::NEG_INFINITY,
@@ -75,12 +89,17 @@ impl Front {
             [Corner { level: level(a.level, b.level), ..a }, Corner { level: level(b.level, a.level), ..b }]
         };
         let mut stretches = Vec::new();
-        for line in lines {
+        for (line, beyond) in lines.iter().zip(beyond) {
             let last = line.len().saturating_sub(2);
             for (i, w) in line.windows(2).enumerate() {
                 if let (Some(a), Some(b)) = (corner(&w[0]), corner(&w[1])) {
-                    let overhang = [i == 0, i == last].map(|end| if end { END } else { 0.0 });
-                    stretches.push(Stretch { corners: stretch(a, b), overhang });
+                    let mut stretch = Stretch { corners: stretch(a, b), overhang: [0.0; 2] };
+                    for (k, is_end) in [i == 0, i == last].into_iter().enumerate() {
+                        if is_end {
+                            stretch.overhang[k] = stretch.share(beyond[k]).max(END);
+                        }
+                    }
+                    stretches.push(stretch);
                 }
             }
         }
@@ -90,17 +109,12 @@ impl Front {
     /// The front of lines that bend freely, whose strips on flat ground are so wide, mm: where they bend it folds, and its
     /// outermost piece counts; and at their ends it goes on for a part of a strip, since borders cut lines aslant.
     #[must_use]
-    pub(super) fn bending(self, toward: Toward, strip: f64) -> Self {
-        Self { folds: Some((toward, strip)), ..self.going_on(BEYOND * strip) }
-    }
-
-    /// The front of lines that go on for so far, mm, beyond their ends.
-    #[must_use]
-    pub(super) fn going_on(mut self, way: f64) -> Self {
-        for Stretch { corners: [a, b], overhang } in &mut self.stretches {
-            let length = a.point.distance(b.point).max(f64::MIN_POSITIVE);
-            overhang.iter_mut().filter(|o| **o > 0.0).for_each(|o| *o = (way / length).max(*o));
+    pub(super) fn bending(mut self, toward: Toward, strip: f64) -> Self {
+        for stretch in &mut self.stretches {
+            let beyond = stretch.share(BEYOND * strip);
+            stretch.overhang.iter_mut().filter(|o| **o > 0.0).for_each(|o| *o = o.max(beyond));
         }
+        self.folds = Some((toward, strip));
         self
     }
 
