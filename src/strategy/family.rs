@@ -6,16 +6,12 @@ use super::spacing::{Front, Toward};
 use super::{Finish, Order, Planned, StrategyError};
 use super::{unreached, walk};
 use crate::cutter::Cutter;
-use crate::geometry::{Curvature, Domain, Face, FaceGrid, Field, FieldGrid, IsoLine, Range, Uv, Zone};
+use crate::geometry::{Domain, Face, FaceGrid, Field, FieldGrid, IsoLine, Range, Uv, Zone};
 use crate::math::order::{rank, sort_by_key};
 use crate::monitor::{Cancelled, Stage};
 use crate::posture::Rule;
 use crate::toolpath::Pass;
 
-/// How far passes run out over a border, in strips: what strips that lie aslant leave before it is cut then.
-const RUN_OUT: f64 = 1.1;
-/// The most that the surface may turn on the way, radians: over an edge that is rolled tighter nothing is promised.
-const MOST_TURN: f64 = 0.4;
 /// Rounds in which short passes are added where something is left.
 const GLEANINGS: usize = 3;
 
@@ -160,29 +156,13 @@ impl<'a> Family<'a> {
     }
 
     pub(super) fn front(&self, candidate: &Candidate, toward: Toward) -> Front {
-        let beyond: Vec<[f64; 2]> = candidate.lines.iter().map(|line| self.run_outs(line)).collect();
+        let beyond: Vec<[f64; 2]> = candidate.lines.iter().map(|line| self.setup.run_outs(line)).collect();
         let front = Front::new(&candidate.probes, &beyond, toward, self.column_period);
         if matches!(self.setup.field, Field::Given(_)) {
             front.bending(toward, self.setup.strip)
         } else {
             front
         }
-    }
-
-    /// How far passes surely go on beyond the first and the last node of `line`, mm: 0 where they end within the face. Lines
-    /// that bend freely have their own rule.
-    fn run_outs(&self, line: &IsoLine) -> [f64; 2] {
-        let way = RUN_OUT * self.setup.strip;
-        let domain = self.setup.face.domain();
-        let runs_out = |uv: &Uv| {
-            let is_border = domain.u.is_near_end(uv.u) || domain.v.is_near_end(uv.v);
-            if !is_border || matches!(self.setup.field, Field::Given(_)) {
-                return false;
-            }
-            let bend = self.setup.frame(*uv, false).and_then(|(jet, frame)| Curvature::of(&jet, &frame));
-            bend.is_some_and(|k| libm::hypot(k.ff, k.fb) * way < MOST_TURN)
-        };
-        [line.nodes.first(), line.nodes.last()].map(|end| if end.is_some_and(runs_out) { way } else { 0.0 })
     }
 
     fn reversed(&self, index: usize) -> bool {
@@ -293,7 +273,8 @@ fn thin(line: &mut IsoLine) {
 impl Candidate {
     /// Whether the cutter can go everywhere on the lines and its strips run over the border everywhere.
     pub(super) fn runs_over_border(&self, toward: Toward) -> bool {
-        self.probes.iter().flatten().all(|p| matches!(p.reach(toward), Some(Reach::Border { .. })))
+        let runs_over = |p: &Probe| matches!(p.reach(toward), Some(Reach::Border { .. } | Reach::Aside));
+        self.probes.iter().flatten().all(runs_over)
     }
 }
 

@@ -122,7 +122,7 @@ fn is_open(
         Some(Reach::To { level, column, point, .. }) => front
             .meets(level, column, point, back)
             .map_or(rim.is_some_and(|depth| depth <= RIM_DEPTH), |met| !met),
-        Some(Reach::Border { .. }) | None => false,
+        Some(Reach::Border { .. } | Reach::Aside) | None => false,
     }
 }
 

@@ -14,6 +14,7 @@ mod order;
 mod placing;
 mod probe;
 mod raster;
+mod run_out;
 mod setup;
 mod spacing;
 mod unreached;

@@ -44,6 +44,9 @@ pub(super) enum Reach {
     To { level: f64, column: f64, point: DVec3, uv: Uv },
     /// Over the border of the face; column and point of the contact itself.
     Border { column: f64, point: DVec3 },
+    /// Over the border at an end of the line, ahead of the contact or behind it: the pass runs out there and cuts what the
+    /// strip leaves.
+    Aside,
 }
 
 /// What the cutter does at one point of a level line.
@@ -220,6 +223,7 @@ impl Setup<'_> {
                 let point = self.face.surface.point(contact);
                 Some(Reach::Border { column: self.column.value(contact, point), point })
             }
+            Edge::Border(uv) if self.runs_out(uv) => Some(Reach::Aside),
             Edge::Reached(uv) | Edge::Border(uv) => {
                 let point = self.face.surface.point(uv);
                 let (level, column) = (self.field.value(uv, point), self.column.value(uv, point));

@@ -77,11 +77,10 @@ impl Front {
             Toward::Higher => f64::INFINITY,
             Toward::Lower => f64::NEG_INFINITY,
         };
-        let corner = |probe: &Probe| {
-            Some(match probe.reach(toward)? {
-                Reach::To { level, column, point, .. } => Corner { column, level, point },
-                Reach::Border { column, point } => Corner { column, level: outside, point },
-            })
+        let corner = |probe: &Probe| match probe.reach(toward)? {
+            Reach::To { level, column, point, .. } => Some(Corner { column, level, point }),
+            Reach::Border { column, point } => Some(Corner { column, level: outside, point }),
+            Reach::Aside => None,
         };
         let stretch = |a: Corner, b: Corner| {
             // Between an edge and the border it runs over, the edge's own level is the safe one.
@@ -90,12 +89,18 @@ impl Front {
         };
         let mut stretches = Vec::new();
         for (line, beyond) in lines.iter().zip(beyond) {
-            let last = line.len().saturating_sub(2);
+            let is_known = |i: &usize| corner(&line[*i]).is_some() && corner(&line[*i + 1]).is_some();
+            let mut known = (0..line.len().saturating_sub(1)).filter(is_known);
+            let first = known.next();
+            let last = known.last().or(first);
+            // Passes run out where they leave a border, and not where the cutter cannot go.
+            let runs_out = |probes: &[Probe]| probes.iter().all(|probe| *probe != Probe::Blocked);
+            let ends = [first.filter(|&i| runs_out(&line[..i])), last.filter(|&i| runs_out(&line[i + 2..]))];
             for (i, w) in line.windows(2).enumerate() {
                 if let (Some(a), Some(b)) = (corner(&w[0]), corner(&w[1])) {
                     let mut stretch = Stretch { corners: stretch(a, b), overhang: [0.0; 2] };
-                    for (k, is_end) in [i == 0, i == last].into_iter().enumerate() {
-                        if is_end {
+                    for (k, end) in ends.into_iter().enumerate() {
+                        if end == Some(i) {
                             stretch.overhang[k] = stretch.share(beyond[k]).max(END);
                         }
                     }
@@ -165,6 +170,8 @@ impl Front {
                     continue;
                 }
                 let away = a.point.lerp(b.point, t).distance_squared(corner.point);
+                // Beyond an end of its line a strip is about as wide as at it.
+                let t = t.clamp(0.0, 1.0);
                 let level = if a.level == b.level { a.level } else { a.level + (b.level - a.level) * t };
                 tell(away, level);
             }

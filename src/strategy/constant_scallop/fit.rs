@@ -73,7 +73,7 @@ impl<'a> Fit<'a> {
                     let away = (level - own).abs();
                     (away > FOLDED * steep * point.distance(here)).then_some(away)
                 }
-                Reach::Border { .. } => None,
+                Reach::Border { .. } | Reach::Aside => None,
             };
             sum += match (far(up), far(down)) {
                 (Some(a), Some(b)) => a + b,
