@@ -14,7 +14,6 @@ mod upwind;
 use super::family::Family;
 use super::fill;
 use super::iso_planar::mean_normal;
-use super::placing::too_many;
 use super::probe::Setup;
 use super::{Finish, Order, Planned, StrategyError};
 use crate::cutter::Cutter;
@@ -65,9 +64,8 @@ const CHORD: f64 = 0.02;
 /// than the limit between it and its neighbour, partial passes fill in. On a closed face cut from a line across it fronts
 /// run round to both sides, the start curve between the first two passes, and meet.
 ///
-/// Chosen postures can make strips of such different widths that passes offset from one another bend more than they gain:
-/// where passes along the level lines that the start curve is one of come out shorter, or the others leave something, it is
-/// those.
+/// Strips can be of such different widths that passes offset from one another bend more than they gain: where passes along
+/// the level lines that the start curve is one of come out shorter, or the others leave something, it is those.
 pub fn constant_scallop(
     face: &Face,
     cutter: &Cutter,
@@ -78,26 +76,25 @@ pub fn constant_scallop(
     stage: &Stage,
 ) -> Result<Planned, StrategyError> {
     let seed = seed(face, start);
-    if matches!(rule, Rule::Fixed(_)) {
-        let even = offset_passes((face, cutter), &seed, &rule, finish, order, f64::INFINITY, stage)?;
-        return even.ok_or_else(too_many);
-    }
     let (from, _, column) = seed.clone();
-    let first = stage.part(PLACE, 0.0, 0.2);
-    let plain = Family::of_rule(face, cutter, &rule, finish, (from, column), order, &first)?;
-    let rest = stage.part(SOLVE, 0.2, 1.0);
+    let first = |a: f64, b: f64| stage.part(PLACE, 0.2 * a, 0.2 * b);
+    let family = Family::new(face, cutter, &rule, finish, (from, column), order, &first(0.0, 0.15))?;
+    let (plain, plain_is_whole) = family.plan(&first(0.15, 1.0))?;
     let most = length(&plain);
+    let rest = stage.part(SOLVE, 0.2, 1.0);
     let even = offset_passes((face, cutter), &seed, &rule, finish, order, most, &rest)?;
-    Ok(even.filter(|even| length(even) <= most).unwrap_or(plain))
+    let is_better =
+        |(even, is_whole): &(Planned, bool)| (*is_whole || !plain_is_whole) && length(even) <= most;
+    Ok(even.filter(is_better).map_or(plain, |(even, _)| even))
 }
 
-/// Length of the passes at the cutter's contact, mm.
+/// Length of the way of the cutter's tip along the passes, mm.
 fn length(planned: &Planned) -> f64 {
     let ways = planned.passes.iter().flat_map(|pass| pass.stations.windows(2));
-    ways.map(|w| w[0].cc.point.distance(w[1].cc.point)).sum()
+    ways.map(|w| w[0].cl.tip.distance(w[1].cl.tip)).sum()
 }
 
-/// The passes; none where they come out longer than `most` (mm), and where that is finite, none that leave anything.
+/// The passes, and whether they leave nothing; none where they come out longer than `most` (mm).
 fn offset_passes(
     (face, cutter): (&Face, &Cutter),
     (from, level, column): &(Field, f64, Field),
@@ -106,7 +103,7 @@ fn offset_passes(
     order: Order,
     most: f64,
     stage: &Stage,
-) -> Result<Option<Planned>, StrategyError> {
+) -> Result<Option<(Planned, bool)>, StrategyError> {
     let finish = Finish { chord: finish.chord.min(CHORD * finish.scallop), ..finish };
     let fields = (from.clone(), column.clone());
     let mut setup = Setup::new(face, cutter, rule, finish, fields, order, &stage.part(TILT, 0.0, 0.05))?;
@@ -146,9 +143,7 @@ fn offset_passes(
         return Ok(None);
     }
     let crests = crest::places(&family, &offset);
-    let (planned, is_whole) =
-        family.followed(tracks, &crests, &stage.part("Following the surface", 0.75, 1.0))?;
-    Ok((is_whole || most.is_infinite()).then_some(planned))
+    family.followed(tracks, &crests, &stage.part("Following the surface", 0.75, 1.0)).map(Some)
 }
 
 /// A field and level whose line is the start curve, and a field that tells places along it apart.

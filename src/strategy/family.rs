@@ -110,14 +110,14 @@ impl<'a> Family<'a> {
         let choosing = if matches!(rule, Rule::Fixed(_)) { 0.0 } else { 0.15 };
         let first = stage.part("Choosing postures", 0.0, choosing);
         let family = Self::new(face, cutter, rule, finish, fields, order, &first)?;
-        family.plan(&stage.part("Spacing passes", choosing, 1.0))
+        Ok(family.plan(&stage.part("Spacing passes", choosing, 1.0))?.0)
     }
 
-    /// The passes, from the lowest level to the highest.
-    pub(super) fn plan(&self, stage: &Stage) -> Result<Planned, StrategyError> {
+    /// The passes, from the lowest level to the highest, and whether they leave nothing.
+    pub(super) fn plan(&self, stage: &Stage) -> Result<(Planned, bool), StrategyError> {
         let candidates = self.place(&stage.part("Spacing passes", 0.0, 0.6))?;
         let tracks = fill::tracks(self, candidates, &stage.part("Filling gaps", 0.6, 0.7))?;
-        Ok(self.followed(tracks, &[], &stage.part("Following the surface", 0.7, 1.0))?.0)
+        self.followed(tracks, &[], &stage.part("Following the surface", 0.7, 1.0))
     }
 
     /// The passes on `tracks`, and short ones where they leave more than the limit at places all over the face and at

@@ -9,11 +9,14 @@ use crate::monitor::{Cancelled, Stage};
 use crate::toolpath::Pass;
 use glam::DVec3;
 
-/// What may be left above the limit, as a share of it, before a pass is worth it: passes are spaced to just the limit.
-const ABOVE: f64 = 0.01;
 /// Cells from a border that are looked at more closely, and how many parts a side of each then has.
 const RIM: usize = 3;
 const FINER: usize = 4;
+/// Parts that a side of a cell on a border has, and parts of such a part where an end of it has a cusp of this share of the
+/// limit: strips that lie aslant leave their smallest spots right there.
+const ALONG: usize = 24;
+const CLOSE: f64 = 0.6;
+const CLOSER: usize = 8;
 /// Where normals across a cell have a lower cosine than this (11°), it bends much.
 const BENT: f64 = 0.98;
 /// Places nearer to each other than this belong together, in strips.
@@ -22,8 +25,11 @@ const TOGETHER: f64 = 0.55;
 const LONGER: f64 = 0.7;
 /// Levels, in strips of the family, that one short pass takes care of.
 const DEEP: f64 = 0.8;
-/// Levels beside that of a spot, in the same, at which a line is looked for if it has none there: in a corner it is a point.
+/// Levels beside that of a spot, in the same, at which a line is looked for if the one there does not pass all of it: along
+/// a border that lines meet aslant each has a piece of it only, and in a corner they are points.
 const ASIDE: [f64; 7] = [0.0, 0.1, -0.1, 0.2, -0.2, 0.35, -0.35];
+/// How near a line passes what it is for, in strips.
+const PASSED: f64 = 0.5;
 
 impl Family<'_> {
     /// The places all over the face, and those of `others`, where `passes` leave more than the limit, outside of `beyond`.
@@ -35,12 +41,19 @@ impl Family<'_> {
         stage: &Stage,
     ) -> Result<Vec<Uv>, Cancelled> {
         let moves = Moves::new(&self.setup, passes);
-        let limit = (1.0 + ABOVE) * self.setup.finish.scallop;
-        let places = [self.places(), others.to_vec()].concat();
+        let limit = self.setup.finish.scallop;
+        let border = self.border();
+        let is_close = |[a, b]: [Uv; 2]| moves.leave(a, CLOSE * limit) || moves.leave(b, CLOSE * limit);
+        let close = stage.quiet().map(border.len(), |k| is_close(border[k]))?;
+        let close = border.iter().zip(close).filter(|(_, close)| *close);
+        let mut places = [self.places(), others.to_vec()].concat();
+        places.extend(close.flat_map(|(&[a, b], _)| (0..=CLOSER).map(move |k| between(a, b, k, CLOSER))));
+        // A posture that is chosen may need a little more lead just here, which its pass then takes.
+        let is_chosen = !self.setup.postures.is_fixed();
         let is_left = |uv: Uv| {
             !beyond.contains(self.setup.face.surface.point(uv))
                 && moves.leave(uv, limit)
-                && self.setup.probe(uv, false) != Probe::Blocked
+                && (is_chosen || self.setup.probe(uv, false) != Probe::Blocked)
         };
         let left = stage.map(places.len(), |k| is_left(places[k]))?;
         Ok(places.iter().zip(left).filter(|(_, left)| *left).map(|(&uv, _)| uv).collect())
@@ -86,6 +99,25 @@ impl Family<'_> {
         places
     }
 
+    /// Ends of short pieces of the borders of the face.
+    fn border(&self) -> Vec<[Uv; 2]> {
+        let (grid, domain) = (self.lines.grid(), self.setup.face.domain());
+        let (nu, nv) = grid.size();
+        let mut border = Vec::new();
+        let mut side = |a: Uv, b: Uv| {
+            border.extend((0..ALONG).map(|k| [k, k + 1].map(|k| between(a, b, k, ALONG))));
+        };
+        if !domain.v.periodic {
+            let ends = (0..nu - 1).flat_map(|i| [(i, 0), (i, nv - 1)]);
+            ends.for_each(|(i, j)| side(grid.uv(i, j), grid.uv(i + 1, j)));
+        }
+        if !domain.u.periodic {
+            let ends = (0..nv - 1).flat_map(|j| [(0, j), (nu - 1, j)]);
+            ends.for_each(|(i, j)| side(grid.uv(i, j), grid.uv(i, j + 1)));
+        }
+        border
+    }
+
     /// The places in groups that hang together, with their points.
     fn spots(&self, left: Vec<Uv>) -> Vec<Vec<(Uv, DVec3)>> {
         let near = TOGETHER * self.setup.strip;
@@ -119,18 +151,38 @@ impl Family<'_> {
         let low = levels().fold(f64::INFINITY, f64::min);
         let high = levels().fold(f64::NEG_INFINITY, f64::max);
         let count = ((high - low) / (DEEP * self.nominal)).floor() + 1.0;
+        let depth = (high - low) / count;
         for i in 0..count as usize {
-            let level = low + (high - low) * (i as f64 + 0.5) / count;
-            let pieces = ASIDE
-                .into_iter()
-                .map(|aside| self.pieces(level + aside * self.nominal, spot))
-                .find(|pieces| !pieces.is_empty());
-            if let Some(pieces) = pieces {
-                let level = pieces[0].level;
-                found.push(self.probed(level, pieces, false, &stage.quiet())?);
+            let level = low + depth * (i as f64 + 0.5);
+            let is_here = |&&(uv, p): &&(Uv, DVec3)| {
+                (self.setup.field.value(uv, p) - level).abs() <= (0.5 + 1e-9) * depth
+            };
+            let here: Vec<(Uv, DVec3)> = spot.iter().filter(is_here).copied().collect();
+            let mut best: (usize, Vec<IsoLine>) = (0, Vec::new());
+            for aside in ASIDE {
+                let pieces = self.pieces(level + aside * self.nominal, spot);
+                let passed = self.passed(&pieces, &here);
+                if passed > best.0 {
+                    best = (passed, pieces);
+                }
+                if best.0 == here.len() {
+                    break;
+                }
+            }
+            if let Some(level) = best.1.first().map(|line| line.level) {
+                found.push(self.probed(level, best.1, false, &stage.quiet())?);
             }
         }
         Ok(())
+    }
+
+    /// How many of the places `here` the lines pass.
+    fn passed(&self, lines: &[IsoLine], here: &[(Uv, DVec3)]) -> usize {
+        let near = PASSED * self.setup.strip;
+        let nodes: Vec<DVec3> =
+            lines.iter().flat_map(|l| &l.nodes).map(|&uv| self.setup.face.surface.point(uv)).collect();
+        let is_passed = |p: DVec3| nodes.iter().any(|n| n.distance_squared(p) < near * near);
+        here.iter().filter(|(_, p)| is_passed(*p)).count()
     }
 
     /// The pieces of the lines of `level` beside some place of the `spot`.
@@ -154,4 +206,10 @@ impl Family<'_> {
         }
         pieces
     }
+}
+
+/// The place `k` of `count` equal steps from `a` to `b`.
+fn between(a: Uv, b: Uv, k: usize, count: usize) -> Uv {
+    let s = k as f64 / count as f64;
+    Uv::new(a.u + (b.u - a.u) * s, a.v + (b.v - a.v) * s)
 }

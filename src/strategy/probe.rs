@@ -32,6 +32,10 @@ pub(super) const GOUGE: f64 = 0.0005;
 /// Lean of a strip up to which the run-out of its pass surely cuts what the strip leaves before the border.
 const RUN_OUT_LEAN: f64 = 0.25;
 
+/// Share of the limit that strips reach to: what spacing and the places that are looked at afterwards miss has the rest. It
+/// costs half as much of the width.
+const AIM: f64 = 0.998;
+
 /// An edge nearer to the contact than this part of a strip is at the contact.
 const AT_CONTACT: f64 = 1e-3;
 /// An angle on the centre circle over which the envelope is straight, radians.
@@ -140,7 +144,7 @@ impl Setup<'_> {
         let spin = frame.f * k.fb - frame.b * k.ff + frame.n * geodesic;
         // Chords over a hollow run above the path by up to the chord tolerance, and the cusps with them.
         let lift = if k.ff > 0.0 { self.finish.chord } else { 0.0 };
-        let limits = StripLimits { scallop: self.finish.scallop - lift, gouge: GOUGE };
+        let limits = StripLimits { scallop: AIM * self.finish.scallop - lift, gouge: GOUGE };
         moving_strip(self.face, self.cutter, &cc, uv, (spin, turning), limits)
     }
 

@@ -158,6 +158,17 @@ impl Walker<'_> {
         })
     }
 
+    /// Whether the cutter on its way from one station to the other digs in by no more than stations and chords may together.
+    fn slides_off(&self, a: &Station, b: &Station) -> bool {
+        let allowed = -ON_THE_WAY * GOUGE;
+        let is_off = |s: f64| {
+            let Some(axis) = a.cl.axis.lerp(b.cl.axis, s).try_normalize() else { return false };
+            let cl = ClPoint { tip: a.cl.tip.lerp(b.cl.tip, s), axis };
+            self.setup.obstacle.depth(self.setup.cutter, &cl, DVec3::INFINITY, allowed) >= allowed
+        };
+        [0.5, 0.25, 0.75].into_iter().all(is_off)
+    }
+
     /// Whether the cutter at `cl` on the way, near the station `m`, digs in beyond its contact by no more than stations and
     /// chords may together. A posture that is chosen leaves hardly any room under the rear.
     fn stays_off(&self, cl: &ClPoint, m: &Station) -> bool {
@@ -224,15 +235,17 @@ impl Walker<'_> {
         let chord = (8.0 * self.setup.finish.chord.min(GOUGE) / bend.abs().max(1e-6)).sqrt();
         let turn = libm::hypot(bend, twist) * way / MOST_TURN;
         let count = (FINER * (way / chord).max(turn)).ceil().clamp(1.0, 64.0) as usize;
+        let mut last = *end;
         let beyond = |i: usize| {
             let s = toward * way * i as f64 / count as f64;
             let (point, n, along) = arc(&end.cc, [bend, twist], s);
             let cc = CcPoint { point, frame: Frame::from_normal(n, along)?, ..end.cc };
             let on = Station { cc, cl: end.cl, work: Work { strip: None, ..end.work } };
             // What goes on beyond a border is a guess at the surface: more lead makes up for it.
-            (0..MORE_LEADS)
+            last = (0..MORE_LEADS)
                 .map(|k| self.setup.leaning(&on, MORE_LEAD * f64::from(k * k)))
-                .find(|station| self.setup.is_off(&station.cl))
+                .find(|station| self.setup.is_off(&station.cl) && self.slides_off(&last, station))?;
+            Some(last)
         };
         (1..=count).map_while(beyond).collect()
     }
