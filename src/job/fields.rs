@@ -185,6 +185,8 @@ pub const GROUPS: &[Group] = &[
         variants: &[],
         fields: &[
             number("scallop_mm", "mm", [0.0001, 5.0], 0.005, 0.01),
+            // Off: strips are exact, and what is planned is what is left.
+            number("safety", "", [0.1, 1.0], 0.05, 1.0),
             number("chord_mm", "mm", [0.0001, 1.0], 0.0005, 0.001),
         ],
     },

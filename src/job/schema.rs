@@ -94,7 +94,7 @@ fn check(field: &Field, value: &Value) -> Result<(), String> {
     match field.kind {
         Kind::Number { unit, min, max, .. } => match value.as_f64() {
             Some(x) if (min..=max).contains(&x) => Ok(()),
-            _ => Err(format!("must be a number from {min} to {max} {unit}")),
+            _ => Err(format!("must be a number from {min} to {max} {unit}").trim_end().into()),
         },
         Kind::Choice { options, .. } => match value.as_str() {
             Some(s) if options.contains(&s) => Ok(()),

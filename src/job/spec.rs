@@ -256,6 +256,9 @@ pub enum OrderSpec {
 pub struct ToleranceSpec {
     /// Highest cusp.
     pub scallop_mm: f64,
+    /// Share of it that passes are planned for: what is above 0 and below 1 keeps the rest in reserve, for a machine that is
+    /// less exact than the plan. Proof and report judge by the whole.
+    pub safety: f64,
     /// Deviation of straight moves from the surface.
     pub chord_mm: f64,
 }

@@ -117,12 +117,13 @@ impl StartSpec {
 }
 
 impl Spec {
-    /// What the finish must keep.
+    /// What passes are planned to keep: cusps within the share `tolerance.safety` of the limit.
     pub fn finish(&self) -> Result<Finish, JobError> {
-        let finish = Finish { scallop: self.tolerance.scallop_mm, chord: self.tolerance.chord_mm };
+        let tolerance = &self.tolerance;
+        let finish = Finish { scallop: tolerance.safety * tolerance.scallop_mm, chord: tolerance.chord_mm };
         if finish.chord > 0.5 * finish.scallop {
             let most = 0.5 * finish.scallop;
-            let message = format!("must be at most {most} mm, half of the scallop height");
+            let message = format!("must be at most {most} mm, half of the scallop height that is planned for");
             return Err(JobError::field("tolerance.chord_mm", message));
         }
         Ok(finish)

@@ -7,6 +7,7 @@ use std::fmt::Write;
 /// One line a move after a header that states the units: index from 0, `cut` or `link`, feed in mm/min or `rapid`,
 /// tip in millimetres, unit axis; and where the cutter touches at the end of the move, the contact point, lead and yaw in its
 /// frame, the width of the strip that it finishes there where that is known, and what keeps its lead from being less.
+/// Strips are those of the scallop height that passes were planned for, which a safety factor makes less than the limit.
 /// Tips and contact points are rounded to 10⁻⁵ mm, axes to 10⁻⁷, angles to 10⁻³ degrees, strips to 10⁻⁴ mm.
 ///
 /// `touches` belong to the moves of `path` in their order; those that are missing are left empty.

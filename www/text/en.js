@@ -85,6 +85,7 @@ export default {
   'field.strategy.turn_across_deg_per_mm': 'Turn across passes',
   'field.strategy.order': 'Order',
   'field.tolerance.scallop_mm': 'Scallop height',
+  'field.tolerance.safety': 'Safety factor',
   'field.tolerance.chord_mm': 'Chord deviation',
   'field.links.lift_mm': 'Lift between passes',
   'field.links.clearance_mm': 'Clearance of rapids',
@@ -103,6 +104,8 @@ export default {
   'help.strategy.lead_deg': 'The angle between axis and surface normal.',
   'help.strategy.yaw_deg': 'Where the axis leans: 0° is along the feed, 90° to its left.',
   'help.tolerance.scallop_mm': 'The most that may stay between two passes.',
+  'help.tolerance.safety':
+    'Passes are planned for this share of the height; the proof judges by all of it.',
   'help.tolerance.chord_mm': 'How far a straight move may leave the surface.',
   'help.feeds.rapid_mm_per_min': 'Only for the time in the result.',
 
