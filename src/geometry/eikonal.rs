@@ -34,7 +34,7 @@ impl<'a> Fronts<'a> {
     }
 
     /// The first of the nodes that are one and the same point of a periodic face.
-    fn first(&self, node: usize) -> usize {
+    pub fn first(&self, node: usize) -> usize {
         let (nu, nv) = self.grid.size();
         let (i, j) = (node % nu, node / nu);
         let i = if self.periodic[0] && i == nu - 1 { 0 } else { i };

@@ -157,8 +157,8 @@ impl FieldGrid {
         for &crossing in chain {
             let mut uv = self.place(level, crossing);
             if let Some(last) = nodes.last() {
-                uv.u = nearest_turn(&domain.u, uv.u, last.u);
-                uv.v = nearest_turn(&domain.v, uv.v, last.v);
+                uv.u = domain.u.turned(uv.u, last.u);
+                uv.v = domain.v.turned(uv.v, last.v);
             }
             nodes.push(uv);
         }
@@ -174,11 +174,6 @@ impl FieldGrid {
         let ends = ((0.0, self.value(i, j) - level), (1.0, self.value(i2, j2) - level));
         at(root::bracketed(miss, ends.0, ends.1, 1e-12, 60).x)
     }
-}
-
-/// `x` moved by whole periods to within half a period of `near`.
-fn nearest_turn(range: &super::Range, x: f64, near: f64) -> f64 {
-    if range.periodic { x + ((near - x) / range.length()).round() * range.length() } else { x }
 }
 
 /// Chains through a graph in which every crossing has one or two neighbours: open ones from their lower end first.

@@ -14,6 +14,7 @@ mod height_grid;
 mod iso_line;
 mod jet;
 mod mesh;
+mod nearest;
 mod nurbs;
 mod surface;
 mod table;

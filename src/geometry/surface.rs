@@ -61,6 +61,11 @@ impl Range {
         }
     }
 
+    /// `x` moved by whole periods to within half a period of `near`; as it is where not periodic.
+    pub fn turned(&self, x: f64, near: f64) -> f64 {
+        if self.periodic { x + ((near - x) / self.length()).round() * self.length() } else { x }
+    }
+
     /// Whether `x` lies within a hundredth of the interval of one of its ends; never so where periodic.
     pub fn is_near_end(&self, x: f64) -> bool {
         !self.periodic && (x - self.lo).min(self.hi - x) < 0.01 * self.length()

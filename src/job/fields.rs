@@ -43,6 +43,8 @@ pub enum Kind {
     },
     /// Yes or no; the default.
     Flag(bool),
+    /// Points in space, mm, as a list of `[x, y, z]`; none where the specification says nothing.
+    Points,
 }
 
 /// One form of an object with a `kind` key.
@@ -91,6 +93,8 @@ const MOST_YAW: Field = number("most_yaw_deg", "°", [0.0, 80.0], 5.0, 30.0).whe
 const TURN_ALONG: Field = number("turn_along_deg_per_mm", "°/mm", [0.1, 90.0], 0.5, 4.0).when("rule", CHOSEN);
 const TURN_ACROSS: Field =
     number("turn_across_deg_per_mm", "°/mm", [0.1, 90.0], 0.5, 8.0).when("rule", CHOSEN);
+const POINTS: Field =
+    Field { name: "start_points_mm", kind: Kind::Points, when: Some(("start", &["curve"])) };
 const ORDER: Field = choice("order", &["zigzag", "zig"], "zigzag");
 
 /// The objects of a specification in the order in which a form shows them.
@@ -155,11 +159,12 @@ pub const GROUPS: &[Group] = &[
                 fields: &[
                     choice(
                         "start",
-                        &["u_low", "u_high", "v_low", "v_high", "u_line", "v_line", "section"],
+                        &["u_low", "u_high", "v_low", "v_high", "u_line", "v_line", "section", "curve"],
                         "v_low",
                     ),
                     number("start_percent", "%", [0.0, 100.0], 5.0, 50.0)
                         .when("start", &["u_line", "v_line"]),
+                    POINTS,
                     number("angle_deg", "°", [-180.0, 180.0], 5.0, 0.0).when("start", &["section"]),
                     RULE,
                     LEAD,

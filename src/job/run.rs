@@ -163,21 +163,21 @@ fn on_face(spec: &Spec, face: &Face, cutter: &Cutter, stage: &Stage) -> Result<(
     let finish = spec.finish()?;
     let passing = stage.part("Planning", 0.0, 0.95);
     let rule = spec.strategy.rule()?.unwrap_or(Rule::Fixed(Posture::default()));
-    let planned = match spec.strategy {
-        StrategySpec::IsoParametric { along, order, .. } => {
+    let planned = match &spec.strategy {
+        &StrategySpec::IsoParametric { along, order, .. } => {
             let along = match along {
                 AlongSpec::U => Along::U,
                 AlongSpec::V => Along::V,
             };
             strategy::iso_parametric(face, cutter, along, rule, finish, order.into(), &passing)?
         }
-        StrategySpec::IsoPlanar { angle_deg, order, .. } => {
+        &StrategySpec::IsoPlanar { angle_deg, order, .. } => {
             let angle = angle_deg.to_radians();
             strategy::iso_planar(face, cutter, angle, rule, finish, order.into(), &passing)?
         }
-        StrategySpec::ConstantScallop { start, start_percent, angle_deg, order, .. } => {
-            let start = start.start(start_percent, angle_deg);
-            strategy::constant_scallop(face, cutter, start, rule, finish, order.into(), &passing)?
+        StrategySpec::ConstantScallop { start, start_percent, start_points_mm, angle_deg, order, .. } => {
+            let start = start.start(*start_percent, *angle_deg, start_points_mm);
+            strategy::constant_scallop(face, cutter, &start, rule, finish, (*order).into(), &passing)?
         }
         StrategySpec::Raster { .. } => {
             return Err(JobError::field(
@@ -228,7 +228,10 @@ fn on_mesh(
                 };
                 JobError::Field { field, message: message.into() }
             }
-            RasterError::TooFine { .. } => JobError::field("tolerance.scallop_mm", e.to_string()),
+            RasterError::TooFine { least } => {
+                let least = least / spec.tolerance.safety;
+                JobError::field("tolerance.scallop_mm", RasterError::TooFine { least }.to_string())
+            }
         },
     )?;
     if raster.passes.is_empty() {

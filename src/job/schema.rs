@@ -34,6 +34,7 @@ fn field(f: &Field) -> Value {
             json!({ "name": f.name, "type": "choice", "options": options, "default": default })
         }
         Kind::Flag(default) => json!({ "name": f.name, "type": "boolean", "default": default }),
+        Kind::Points => json!({ "name": f.name, "type": "points", "default": [] }),
     };
     if let Some((choice, words)) = f.when {
         shown["when"] = json!({ "field": choice, "is": words });
@@ -82,11 +83,15 @@ pub(super) fn complete(spec: &mut Map<String, Value>) -> Result<(), JobError> {
     Ok(())
 }
 
+/// More points than a start curve needs: each of its pieces is looked at with each other one.
+const MOST_POINTS: usize = 1000;
+
 fn default(field: &Field) -> Value {
     match field.kind {
         Kind::Number { default, .. } => default.into(),
         Kind::Choice { default, .. } => default.into(),
         Kind::Flag(default) => default.into(),
+        Kind::Points => Value::Array(Vec::new()),
     }
 }
 
@@ -106,6 +111,11 @@ fn check(field: &Field, value: &Value) -> Result<(), String> {
             } else {
                 Err("must be true or false".into())
             }
+        }
+        // What is in it tells serde, with its place.
+        Kind::Points => {
+            let count = value.as_array().map_or(usize::MAX, Vec::len);
+            if count <= MOST_POINTS { Ok(()) } else { Err(format!("must be a list of up to {MOST_POINTS} points [x, y, z]")) }
         }
     }
 }

@@ -191,6 +191,7 @@ pub enum StrategySpec {
     ConstantScallop {
         start: StartSpec,
         start_percent: f64,
+        start_points_mm: Vec<[f64; 3]>,
         angle_deg: f64,
         rule: RuleSpec,
         lead_deg: f64,
@@ -227,7 +228,8 @@ pub enum RuleSpec {
     Widest,
 }
 
-/// The curve that passes are offset from: a border, a line of that parameter, or a plane section.
+/// The curve that passes are offset from: a border, a line of that parameter, a plane section, or one
+/// through given points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[expect(missing_docs, reason = "the names say it")]
@@ -239,6 +241,7 @@ pub enum StartSpec {
     ULine,
     VLine,
     Section,
+    Curve,
 }
 
 /// Whether passes go one way or to and fro.

@@ -101,8 +101,8 @@ impl StrategySpec {
 }
 
 impl StartSpec {
-    /// The curve: `percent` tells which line of a parameter, `angle_deg` which section.
-    pub(super) fn start(self, percent: f64, angle_deg: f64) -> Start {
+    /// The curve: `percent` tells which line of a parameter, `angle_deg` which section, `points` what it runs through.
+    pub(super) fn start(self, percent: f64, angle_deg: f64, points: &[[f64; 3]]) -> Start {
         let line = |along, at| Start::Line { along, at };
         match self {
             Self::ULow => line(Along::V, 0.0),
@@ -112,6 +112,7 @@ impl StartSpec {
             Self::ULine => line(Along::V, 0.01 * percent),
             Self::VLine => line(Along::U, 0.01 * percent),
             Self::Section => Start::Section(angle_deg.to_radians()),
+            Self::Curve => Start::Curve(points.iter().map(|&point| point.into()).collect()),
         }
     }
 }

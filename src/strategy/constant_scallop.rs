@@ -5,8 +5,8 @@
 //! roughly, wherever fronts meet too; strips measured on its own level lines then tell by how much it is off.
 
 mod crest;
+mod curve;
 mod fit;
-
 mod march;
 mod offset;
 mod upwind;
@@ -21,13 +21,16 @@ use crate::geometry::{Along, Face, Field};
 use crate::math::frame::Frame;
 use crate::monitor::Stage;
 use crate::posture::Rule;
+use crate::toolpath::Posture;
+pub use curve::StartError;
 use fit::Fit;
 use march::March;
-use offset::Offset;
+use glam::DVec3;
+use offset::{Offset, flat_strip};
 use std::sync::Arc;
 
 /// Where constant-scallop passes start from.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Start {
     /// A line of one parameter: it runs along `along` where the other parameter is at the fraction `at` of its range. At 0
     /// and 1 that is a border.
@@ -40,6 +43,10 @@ pub enum Start {
     /// The section by the plane through the middle of the face that holds its mean normal, turned about it by this
     /// angle, radians (0 is along the x axis as seen along the mean normal).
     Section(f64),
+    /// The curve through these points, mm, at least two: each counts by its nearest one on the face, and between them the curve
+    /// is straight in the face's parameters. It goes on so at both ends until it leaves the face; one whose last point is its
+    /// first is closed. It must divide the face and not cross itself.
+    Curve(Vec<DVec3>),
 }
 
 /// What a person reads meanwhile.
@@ -52,6 +59,8 @@ const ROUNDING: f64 = 1e-9;
 /// How often all passes are laid anew where postures are chosen: those follow the passes' direction, which laying them
 /// changes.
 const MARCHES: u32 = 2;
+/// The lead for which strips are as wide as chosen postures make them, roughly, radians.
+const CHOSEN: f64 = 0.2;
 /// Rounds in which the spacing is measured and mended.
 const ROUNDS: usize = 4;
 
@@ -69,13 +78,14 @@ const CHORD: f64 = 0.02;
 pub fn constant_scallop(
     face: &Face,
     cutter: &Cutter,
-    start: Start,
+    start: &Start,
     rule: Rule,
     finish: Finish,
     order: Order,
     stage: &Stage,
 ) -> Result<Planned, StrategyError> {
-    let seed = seed(face, start);
+    let posture = if let Rule::Fixed(posture) = rule { posture } else { Posture { lead: CHOSEN, yaw: 0.0 } };
+    let seed = seed(face, start, flat_strip(cutter, posture, &finish))?;
     let (from, _, column) = seed.clone();
     let first = |a: f64, b: f64| stage.part(PLACE, 0.2 * a, 0.2 * b);
     let family = Family::new(face, cutter, &rule, finish, (from, column), order, &first(0.0, 0.15))?;
@@ -146,20 +156,25 @@ fn offset_passes(
     family.followed(tracks, &crests, &stage.part("Following the surface", 0.75, 1.0)).map(Some)
 }
 
-/// A field and level whose line is the start curve, and a field that tells places along it apart.
-fn seed(face: &Face, start: Start) -> (Field, f64, Field) {
+/// A field and level whose line is the start curve, and a field that tells places along it apart, for strips that are so wide
+/// on flat ground, mm.
+fn seed(face: &Face, start: &Start, strip: f64) -> Result<(Field, f64, Field), StartError> {
     let domain = face.domain();
-    match start {
+    Ok(match *start {
         Start::Line { along: Along::V, at } => (Field::U, domain.u.at(at), Field::V),
         Start::Line { along: Along::U, at } => (Field::V, domain.v.at(at), Field::U),
         Start::Section(angle) => {
             let up = mean_normal(face);
-            let flat = Frame::from_normal(up, glam::DVec3::X).unwrap_or_else(|| Frame::any(up));
+            let flat = Frame::from_normal(up, DVec3::X).unwrap_or_else(|| Frame::any(up));
             let (s, c) = libm::sincos(angle);
             let along = flat.f * c + flat.b * s;
             let across = up.cross(along);
             let middle = face.surface.point(domain.at(0.5, 0.5));
             (Field::Along(across), across.dot(middle), Field::Along(along))
         }
-    }
+        Start::Curve(ref points) => {
+            let (away, along) = curve::seed(face, points, strip)?;
+            (away, 0.0, along)
+        }
+    })
 }

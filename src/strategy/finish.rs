@@ -1,5 +1,6 @@
 //! What every strategy is asked for, and what it gives.
 
+use super::StartError;
 use crate::geometry::Zone;
 use crate::monitor::Cancelled;
 use crate::toolpath::Pass;
@@ -46,6 +47,9 @@ pub enum StrategyError {
     /// The cutter gouges wherever it is put.
     #[error("the cutter fits nowhere on this surface: {0}")]
     FitsNowhere(String),
+    /// Passes cannot be offset from the start curve that was given.
+    #[error("the start curve {0}")]
+    Start(#[from] StartError),
     /// More passes than any machine would run.
     #[error("more than {most} passes would be needed: {why}")]
     TooMany {

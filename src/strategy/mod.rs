@@ -20,7 +20,7 @@ mod spacing;
 mod unreached;
 mod walk;
 
-pub use constant_scallop::{Start, constant_scallop};
+pub use constant_scallop::{Start, StartError, constant_scallop};
 pub use finish::{Finish, Order, Planned, StrategyError};
 pub use iso_parametric::iso_parametric;
 pub use iso_planar::iso_planar;

@@ -55,7 +55,7 @@ pub enum Bound {
 /// What a contact gets done, and why the cutter leans as it does there. For people to see: nothing is planned from it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Work {
-    /// Width of the strip that the cutter finishes to the scallop limit, square to the feed, mm; at a border twice its half
+    /// Width of the strip that the cutter finishes to the scallop height planned for, square to the feed, mm; at a border twice its half
     /// on the other side. `None` where borders end both halves, beyond the surface, and on meshes.
     pub strip: Option<f64>,
     /// What keeps the lead from being less.

@@ -2,7 +2,7 @@
 
 use super::offset::Offset;
 use super::upwind::Upwind;
-use crate::geometry::{Field, Table, Uv};
+use crate::geometry::{Field, Fronts, Table, Uv};
 use crate::monitor::{Cancelled, Stage};
 use crate::strategy::StrategyError;
 use crate::strategy::family::{Candidate, Detail, Family};
@@ -96,7 +96,8 @@ impl<'a, 'b> March<'a, 'b> {
     /// The levels of the passes after `first` towards one side.
     fn run(&mut self, first: &Candidate, toward: Toward, stage: &Stage) -> Result<Vec<f64>, StrategyError> {
         let sign = if toward == Toward::Higher { 1.0 } else { -1.0 };
-        let upwind = Upwind::new(self.offset, &self.values, sign);
+        let fronts = Fronts::new(&self.offset.domain, &self.offset.grid);
+        let upwind = Upwind::new(&fronts, &self.offset.grid, &self.values, sign);
         let mut levels = Vec::new();
         let mut last = self.family.candidate(first.level, 0, Detail::Full, &stage.quiet())?;
         loop {

@@ -1,9 +1,12 @@
 //! How far places lie from a start curve, in strips, by a front that runs out from it.
 
 use crate::contact::{model_strip, second_order_strip_width};
-use crate::geometry::{Curvature, Domain, FaceGrid, Field, Fronts, Table, Uv};
+use crate::cutter::Cutter;
+use crate::geometry::{Curvature, Domain, Face, FaceGrid, Field, Fronts, Table, Uv};
 use crate::monitor::{Cancelled, Stage};
+use crate::strategy::Finish;
 use crate::strategy::probe::{Setup, contact_frame};
+use crate::toolpath::Posture;
 use std::sync::Arc;
 
 /// Cells along either parameter on which the passes' spacing is solved for.
@@ -32,17 +35,22 @@ pub(super) struct Offset {
     flat: f64,
 }
 
+/// The width of a strip on flat ground, mm.
+pub(super) fn flat_strip(cutter: &Cutter, posture: Posture, finish: &Finish) -> f64 {
+    second_order_strip_width(cutter, posture, &Curvature::default(), finish.scallop)
+}
+
+/// The grid on which passes are spaced whose strips on flat ground are so wide, mm.
+pub(super) fn grid(face: &Face, flat: f64) -> FaceGrid {
+    FaceGrid::new(face, CELL * flat, LEAST, MOST)
+}
+
 impl Offset {
     /// For the start curve at `level` of `from`.
     pub(super) fn new(setup: &Setup, from: &Field, level: f64) -> Self {
         let (face, domain) = (setup.face, setup.face.domain());
-        let flat = second_order_strip_width(
-            setup.cutter,
-            setup.postures.typical(),
-            &Curvature::default(),
-            setup.finish.scallop,
-        );
-        let grid = FaceGrid::new(face, CELL * flat, LEAST, MOST);
+        let flat = flat_strip(setup.cutter, setup.postures.typical(), &setup.finish);
+        let grid = grid(face, flat);
         let (nu, nv) = grid.size();
         let uv = |k: usize| grid.uv(k % nu, k / nu);
         let points = grid.points().iter().enumerate();

@@ -1,7 +1,6 @@
 //! What a front carries along as it runs over a grid.
 
-use super::offset::Offset;
-use crate::geometry::Fronts;
+use crate::geometry::{FaceGrid, Fronts};
 
 /// Where the front came from to each node of a grid.
 pub(super) struct Upwind {
@@ -12,12 +11,11 @@ pub(super) struct Upwind {
 }
 
 impl Upwind {
-    /// For a front that passes nodes at the times `values`, times `sign`.
-    pub(super) fn new(offset: &Offset, values: &[f64], sign: f64) -> Self {
+    /// For a front that passes the nodes of `grid`, over which `fronts` run, at the times `values`, times `sign`.
+    pub(super) fn new(fronts: &Fronts, grid: &FaceGrid, values: &[f64], sign: f64) -> Self {
         let mut order: Vec<usize> = (0..values.len()).collect();
         order.sort_by(|&a, &b| (sign * values[a]).total_cmp(&(sign * values[b])).then(a.cmp(&b)));
-        let fronts = Fronts::new(&offset.domain, &offset.grid);
-        let points = offset.grid.points();
+        let points = grid.points();
         let before = |node: usize, other: usize| sign * (values[node] - values[other]);
         let from = (0..values.len()).map(|node| {
             let ring = fronts.around(node);
