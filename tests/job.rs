@@ -3,6 +3,7 @@
 use std::num::NonZeroUsize;
 use stepover::job::{self, Plan, Spec, Verified};
 use stepover::monitor::{Cancelled, Monitor, Silent, Stage};
+use stepover::toolpath::Role;
 
 fn planned(spec: &Spec, bytes: Option<&[u8]>) -> Plan {
     job::plan(spec, bytes, &Stage::silent()).unwrap()
@@ -69,6 +70,33 @@ fn strategies_keep_their_promise_on_analytic_surfaces() {
             assert_keeps(&spec, &proven(&planned(&spec, None)));
         }
     }
+}
+
+/// Strips grow with the root of the height.
+#[test]
+fn a_safety_factor_keeps_the_rest_in_reserve() {
+    let [whole, part] = [1.0, 0.8].map(|safety| {
+        let mut spec = job::gallery().remove(0).spec;
+        spec.tolerance.safety = safety;
+        let plan = planned(&spec, None);
+        let verified = proven(&plan);
+        assert_keeps(&spec, &verified);
+        let limit = safety * spec.tolerance.scallop_mm + verified.sampling_error_mm.unwrap();
+        assert!(verified.largest_excess_mm.unwrap() <= limit, "{verified:?}");
+        assert_eq!(plan.report(None).scallop_mm, spec.tolerance.scallop_mm);
+        plan.emitted.toolpath.length(Role::Cut)
+    });
+    let share = part / whole * 0.8f64.sqrt();
+    assert!((share - 1.0).abs() < 0.03, "{share}");
+}
+
+#[test]
+fn chords_are_judged_beside_what_is_planned_for() {
+    let mut spec = job::gallery().remove(0).spec;
+    (spec.tolerance.safety, spec.tolerance.chord_mm) = (0.5, 0.02);
+    let error = job::plan(&spec, None, &Stage::silent()).err().unwrap();
+    assert_eq!(error.field_path(), Some("tolerance.chord_mm"));
+    assert!(error.to_string().contains("0.0125"), "{error}");
 }
 
 /// Planes end in the corners of a face, which is bent there.

@@ -66,8 +66,10 @@ mod tests {
     fn feet_are_square_below_and_on_borders_beside() {
         let tube =
             Face::new(Cylinder::new(DVec3::ZERO, WORLD, 5.0, [0.0, TAU], [0.0, 9.0]).unwrap(), Side::Front);
-        let dome =
-            Face::new(Sphere::new(DVec3::ZERO, WORLD, 10.0, [0.0, TAU], [0.0, FRAC_PI_2]).unwrap(), Side::Front);
+        let dome = Face::new(
+            Sphere::new(DVec3::ZERO, WORLD, 10.0, [0.0, TAU], [0.0, FRAC_PI_2]).unwrap(),
+            Side::Front,
+        );
         for k in 0..40 {
             let (s, c) = libm::sincos(0.161 * f64::from(k));
             let (out, z) = (DVec3::new(c, s, 0.0), 0.3 * f64::from(k) - 1.0);

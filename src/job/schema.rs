@@ -115,7 +115,11 @@ fn check(field: &Field, value: &Value) -> Result<(), String> {
         // What is in it tells serde, with its place.
         Kind::Points => {
             let count = value.as_array().map_or(usize::MAX, Vec::len);
-            if count <= MOST_POINTS { Ok(()) } else { Err(format!("must be a list of up to {MOST_POINTS} points [x, y, z]")) }
+            if count <= MOST_POINTS {
+                Ok(())
+            } else {
+                Err(format!("must be a list of up to {MOST_POINTS} points [x, y, z]"))
+            }
         }
     }
 }

@@ -124,7 +124,8 @@ impl Spec {
         let finish = Finish { scallop: tolerance.safety * tolerance.scallop_mm, chord: tolerance.chord_mm };
         if finish.chord > 0.5 * finish.scallop {
             let most = 0.5 * finish.scallop;
-            let message = format!("must be at most {most} mm, half of the scallop height that is planned for");
+            let message =
+                format!("must be at most {most} mm, half of the scallop height that is planned for");
             return Err(JobError::field("tolerance.chord_mm", message));
         }
         Ok(finish)

@@ -24,8 +24,8 @@ use crate::posture::Rule;
 use crate::toolpath::Posture;
 pub use curve::StartError;
 use fit::Fit;
-use march::March;
 use glam::DVec3;
+use march::March;
 use offset::{Offset, flat_strip};
 use std::sync::Arc;
 

@@ -185,13 +185,16 @@ impl<'a> Curve<'a> {
     fn marks(&self) -> Marks {
         let count = self.grid.points().len();
         let mut marks = Marks { cuts: vec![[false; 2]; count], near: vec![(f64::INFINITY, f64::NAN); count] };
-        let mut along = 0.0;
-        for piece in self.corners.windows(2) {
-            self.mark([piece[0].uv, piece[1].uv], Some(&mut along), &mut marks);
+        let mut along = Some(0.0);
+        let pieces = self.corners.windows(2);
+        let last = pieces.len() - 1;
+        for (i, piece) in pieces.enumerate() {
+            let is_end = [i == 0, i == last].map(|is| is && !self.is_closed);
+            self.mark([piece[0].uv, piece[1].uv], is_end, &mut along, &mut marks);
         }
         if let ([first, .., last], false) = (&self.corners[..], self.is_closed) {
             for end in [first.uv, last.uv] {
-                self.mark([end, self.beyond(end)], None, &mut marks);
+                self.mark([end, self.beyond(end)], [false; 2], &mut None, &mut marks);
             }
         }
         marks
@@ -210,8 +213,9 @@ impl<'a> Curve<'a> {
         Uv::new(at[0], at[1])
     }
 
-    /// Marks what the straight piece does, which begins so far `along` the curve; nothing is beside one without.
-    fn mark(&self, [from, to]: [Uv; 2], mut along: Option<&mut f64>, marks: &mut Marks) {
+    /// Marks what the straight piece does, which begins so far `along` the curve and may be an end of it to either side; nothing
+    /// is beside one that is not along it.
+    fn mark(&self, [from, to]: [Uv; 2], is_end: [bool; 2], along: &mut Option<f64>, marks: &mut Marks) {
         let (nu, nv) = self.grid.size();
         let ranges = self.ranges();
         let at = |t: f64| Uv::new(from.u + (to.u - from.u) * t, from.v + (to.v - from.v) * t);
@@ -221,7 +225,8 @@ impl<'a> Curve<'a> {
         let mut crossings: Vec<(f64, usize, usize)> = vec![(1.0, 2, 0)];
         for (k, range) in ranges.iter().enumerate() {
             let (low, high) = (a[k].min(b[k]), a[k].max(b[k]));
-            let turn = |x: f64| if range.periodic { ((x - range.lo) / range.length()).floor() as i64 } else { 0 };
+            let turn =
+                |x: f64| if range.periodic { ((x - range.lo) / range.length()).floor() as i64 } else { 0 };
             let lines = [nu, nv][k] - usize::from(range.periodic);
             for (turn, line) in (turn(low)..=turn(high)).flat_map(|turn| (0..lines).map(move |l| (turn, l))) {
                 let node = if k == 0 { self.grid.uv(line, 0).u } else { self.grid.uv(0, line).v };
@@ -234,8 +239,11 @@ impl<'a> Curve<'a> {
         sort_by_key(&mut crossings, |(t, ..)| (rank(*t), 0));
         let mut last = 0.0;
         for (t, k, line) in crossings {
-            if let Some(along) = &mut along {
-                self.mark_near([last, t].map(at), along, &mut marks.near);
+            if let Some(along) = along {
+                // At a border it would go on.
+                let low = if is_end[0] && last == 0.0 { f64::NEG_INFINITY } else { 0.0 };
+                let high = if is_end[1] && t == 1.0 { f64::INFINITY } else { 1.0 };
+                self.mark_near([last, t].map(at), (low, high), along, &mut marks.near);
             }
             last = t;
             let [u, v] = aside(at(t));
@@ -252,8 +260,9 @@ impl<'a> Curve<'a> {
         }
     }
 
-    /// Marks the nodes around the cell that the ends lie in or on.
-    fn mark_near(&self, ends: [Uv; 2], along: &mut f64, near: &mut [(f64, f64)]) {
+    /// Marks the nodes around the cell that the piece with these ends lies in, of whose line the shares from `low` to `high`
+    /// count.
+    fn mark_near(&self, ends: [Uv; 2], (low, high): (f64, f64), along: &mut f64, near: &mut [(f64, f64)]) {
         let [a, b] = ends.map(|uv| self.face.surface.point(uv));
         let middle = Uv::new(0.5 * (ends[0].u + ends[1].u), 0.5 * (ends[0].v + ends[1].v));
         let (i, j) = self.grid.cell_at(self.face.domain().hold(middle));
@@ -262,7 +271,7 @@ impl<'a> Curve<'a> {
             for node in self.fronts.around(corner.1 * nu + corner.0).into_iter().flatten() {
                 let node = self.fronts.first(node);
                 let (way, off) = (b - a, self.grid.points()[node] - a);
-                let t = (off.dot(way) / way.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+                let t = (off.dot(way) / way.length_squared().max(f64::MIN_POSITIVE)).clamp(low, high);
                 let away = (off - way * t).length();
                 if away < near[node].0 {
                     near[node] = (away, *along + t * way.length());
