@@ -3,7 +3,6 @@
 use super::offset::grid;
 use super::upwind::Upwind;
 use crate::geometry::{Face, FaceGrid, Field, Fronts, Range, Table, Uv};
-use crate::math::order::{rank, sort_by_key};
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -42,12 +41,17 @@ pub enum StartError {
 
 /// Points nearer to one another than this share of the face's size are one.
 const SAME: f64 = 1e-7;
-/// How far the curve goes on beyond a border, as a share of the parameter's range: so that it surely crosses the border.
-const BEYOND: f64 = 1e-3;
-/// How far the curve is moved, as shares of the ranges, to tell sides: so that it meets no node of a grid exactly.
-const ASIDE: [f64; 2] = [1.3e-9, 0.7e-9];
+/// How far the curve goes on beyond a border, as a share of the parameter that it runs along: so that it surely crosses the
+/// border, and comes to it straight.
+const BEYOND: f64 = 0.1;
+/// How far corners are moved, as shares of the ranges: so that the curve meets no node of a grid exactly.
+const ASIDE: [f64; 2] = [1.3e-10, 0.7e-10];
 /// Places nearer to the curve than this, in strips, are on it.
 const ON: f64 = 1e-6;
+/// Parts in which a piece is looked at, at first: none may go half round a closed face, which would be nowhere.
+const PARTS: u32 = 8;
+/// Halvings of a part, beyond which it would pass through a node.
+const HALVINGS: u32 = 40;
 
 /// A corner of the curve, and the number of the given point that it belongs to, from 1.
 #[derive(Clone, Copy)]
@@ -61,6 +65,7 @@ struct Curve<'a> {
     face: &'a Face,
     grid: &'a FaceGrid,
     fronts: Fronts<'a>,
+    ranges: [Range; 2],
     /// Straight in parameters from one to the next, which run on over seams.
     corners: Vec<Corner>,
     is_closed: bool,
@@ -72,6 +77,8 @@ struct Marks {
     cuts: Vec<[bool; 2]>,
     /// For nodes beside it the distance and how far along it its nearest place lies, mm.
     near: Vec<(f64, f64)>,
+    /// Its length up to where it has been looked at, mm.
+    along: f64,
 }
 
 /// A field that is 0 on the curve through `points` and changes by one over `strip` (mm), with another sign on either side, and
@@ -83,7 +90,7 @@ pub(super) fn seed(face: &Face, points: &[DVec3], strip: f64) -> Result<(Field, 
     let (domain, grid) = (face.domain(), grid(face, strip));
     let curve = Curve::new(face, &grid, points)?;
     let fronts = &curve.fronts;
-    let Marks { cuts, near } = curve.marks();
+    let Marks { cuts, near, .. } = curve.marks();
     let sides = sides(fronts, &cuts).ok_or(StartError::Undivided)?;
     let seeds = near.iter().enumerate().filter(|(_, near)| near.0.is_finite());
     let seeds: Vec<(usize, f64)> = seeds.map(|(node, near)| (node, near.0 / strip)).collect();
@@ -103,60 +110,62 @@ pub(super) fn seed(face: &Face, points: &[DVec3], strip: f64) -> Result<(Field, 
 impl<'a> Curve<'a> {
     fn new(face: &'a Face, grid: &'a FaceGrid, points: &[DVec3]) -> Result<Self, StartError> {
         let domain = face.domain();
+        let ranges = [domain.u, domain.v];
+        let fronts = Fronts::new(&domain, grid);
         let ends = |(lo, hi): (DVec3, DVec3), p: &DVec3| (lo.min(*p), hi.max(*p));
         let (lo, hi) = grid.points().iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), ends);
         let size = lo.distance(hi);
-        let is_same = |a: Uv, b: Uv| face.surface.point(a).distance(face.surface.point(b)) <= SAME * size;
         let mut corners: Vec<Corner> = Vec::new();
+        // The first foot and the last.
+        let mut feet = [DVec3::INFINITY; 2];
         for (k, &place) in points.iter().enumerate() {
-            let mut uv = face.nearest(grid, place);
-            let (point, away) = (k + 1, face.surface.point(uv).distance(place));
+            let uv = face.nearest(grid, place);
+            let foot = face.surface.point(uv);
+            let (point, away) = (k + 1, foot.distance(place));
             if away > size || !away.is_finite() {
                 return Err(StartError::Far { point, away, size });
             }
-            if let Some(last) = corners.last() {
-                if is_same(last.uv, uv) {
-                    continue;
-                }
-                uv = Uv::new(domain.u.turned(uv.u, last.uv.u), domain.v.turned(uv.v, last.uv.v));
+            if k > 0 && foot.distance(feet[1]) <= SAME * size {
+                continue;
             }
+            feet = [if k == 0 { foot } else { feet[0] }, foot];
+            let uv = Uv::new(uv.u + ASIDE[0] * ranges[0].length(), uv.v + ASIDE[1] * ranges[1].length());
+            let last = corners.last().map_or(uv, |last| last.uv);
+            let uv = Uv::new(ranges[0].turned(uv.u, last.u), ranges[1].turned(uv.v, last.v));
             corners.push(Corner { uv, point });
         }
-        let [Corner { uv: first, .. }, .., Corner { uv: last, .. }] = corners[..] else {
+        let is_closed = feet[0].distance(feet[1]) <= SAME * size;
+        if corners.len() < 2 {
             return Err(StartError::TooFew);
-        };
-        let is_closed = is_same(first, last);
-        let fronts = Fronts::new(&domain, grid);
-        let mut curve = Self { face, grid, fronts, corners, is_closed };
-        if !is_closed {
-            for _ in 0..2 {
+        }
+        let mut curve = Self { face, grid, fronts, ranges, corners, is_closed };
+        for _ in 0..2 {
+            if !is_closed {
                 curve.extend()?;
-                curve.corners.reverse();
             }
+            curve.corners.reverse();
         }
         curve.check()?;
         Ok(curve)
     }
 
-    fn ranges(&self) -> [Range; 2] {
-        let domain = self.face.domain();
-        [domain.u, domain.v]
-    }
-
-    /// Goes on straight behind the last corner to the border.
+    /// Goes on straight behind the last corner, to a little beyond the border.
     fn extend(&mut self) -> Result<(), StartError> {
-        let [.., Corner { uv: before, .. }, Corner { uv, point }] = self.corners[..] else {
+        let Some(&[Corner { uv: before, .. }, Corner { uv, point }]) = self.corners.last_chunk() else {
             return Err(StartError::TooFew);
         };
         let (at, way) = ([uv.u, uv.v], [uv.u - before.u, uv.v - before.v]);
-        let ranges = self.ranges();
-        let out = [0, 1].map(|k| {
-            let end = if way[k] > 0.0 { ranges[k].hi } else { ranges[k].lo };
-            let is_open = !ranges[k].periodic && way[k] != 0.0;
-            if is_open { ((end - at[k]) / way[k]).max(0.0) } else { f64::INFINITY }
-        });
-        let go = out[0].min(out[1]);
-        let goes_round = |k: usize| ranges[k].periodic && (go * way[k]).abs() > ranges[k].length();
+        let mut go = f64::INFINITY;
+        let mut fastest: f64 = 0.0;
+        for (k, range) in self.ranges.iter().enumerate() {
+            fastest = fastest.max(way[k].abs() / range.length());
+            if !range.periodic && way[k] != 0.0 {
+                let end = if way[k] > 0.0 { range.hi } else { range.lo };
+                go = go.min(((end - at[k]) / way[k]).max(0.0));
+            }
+        }
+        go += BEYOND / fastest;
+        let goes_round = |k: usize| self.ranges[k].periodic && go * way[k].abs() > self.ranges[k].length();
         if !go.is_finite() || goes_round(0) || goes_round(1) {
             return Err(StartError::Inside { point });
         }
@@ -164,122 +173,102 @@ impl<'a> Curve<'a> {
         Ok(())
     }
 
-    /// Whether pieces cross.
+    /// Whether pieces cross, over seams too.
     fn check(&self) -> Result<(), StartError> {
-        let turns = self.ranges().map(|r| if r.periodic { [-r.length(), 0.0, r.length()] } else { [0.0; 3] });
-        let pieces: Vec<&[Corner]> = self.corners.windows(2).collect();
-        for (i, a) in pieces.iter().enumerate() {
-            for (j, b) in pieces.iter().enumerate().skip(i + 2) {
-                if self.is_closed && i == 0 && j + 1 == pieces.len() {
-                    continue;
-                }
-                let moved = |c: Corner, k: usize| Uv::new(c.uv.u + turns[0][k / 3], c.uv.v + turns[1][k % 3]);
-                if (0..9).any(|k| do_cross([a[0].uv, a[1].uv], [moved(b[0], k), moved(b[1], k)])) {
-                    return Err(StartError::Crosses { points: [a[0].point, b[0].point] });
-                }
+        let turns = self.ranges.map(|r| if r.periodic { r.length() } else { 0.0 });
+        let pieces = self.corners.len() - 1;
+        let piece = |i: usize, k: usize| {
+            let (u, v) = (turns[0] * (k / 3) as f64, turns[1] * (k % 3) as f64);
+            [i, i + 1].map(|i| Uv::new(self.corners[i].uv.u + u, self.corners[i].uv.v + v))
+        };
+        for (i, j) in (0..pieces).flat_map(|i| (i + 2..pieces).map(move |j| (i, j))) {
+            let are_ends = self.is_closed && i == 0 && j + 1 == pieces;
+            if !are_ends && (0..9).any(|k| do_cross(piece(i, 4), piece(j, k))) {
+                return Err(StartError::Crosses { points: [i, j].map(|i| self.corners[i].point) });
             }
         }
         Ok(())
     }
 
+    /// The point at `uv`; beyond a border as the tangents there go on.
+    fn point(&self, uv: Uv) -> DVec3 {
+        let held = self.face.domain().clamp(uv);
+        let jet = self.face.jet(held);
+        jet.p + jet.du * (uv.u - held.u) + jet.dv * (uv.v - held.v)
+    }
+
+    /// The cell that holds `uv`, by its lowest node; beyond a border one less than the first, or one more than the last.
+    fn cell(&self, uv: Uv) -> [i64; 2] {
+        let (nu, nv) = self.grid.size();
+        let (i, j) = self.grid.cell_at(self.face.domain().hold(uv));
+        let place = |k: usize, x: f64, cell: usize, count: usize| {
+            let range = self.ranges[k];
+            if range.contains(x) {
+                cell as i64
+            } else if x < range.lo {
+                -1
+            } else {
+                count as i64 - 1
+            }
+        };
+        [place(0, uv.u, i, nu), place(1, uv.v, j, nv)]
+    }
+
     fn marks(&self) -> Marks {
         let count = self.grid.points().len();
-        let mut marks = Marks { cuts: vec![[false; 2]; count], near: vec![(f64::INFINITY, f64::NAN); count] };
-        let mut along = Some(0.0);
-        let pieces = self.corners.windows(2);
-        let last = pieces.len() - 1;
-        for (i, piece) in pieces.enumerate() {
-            let is_end = [i == 0, i == last].map(|is| is && !self.is_closed);
-            self.mark([piece[0].uv, piece[1].uv], is_end, &mut along, &mut marks);
-        }
-        if let ([first, .., last], false) = (&self.corners[..], self.is_closed) {
-            for end in [first.uv, last.uv] {
-                self.mark([end, self.beyond(end)], [false; 2], &mut None, &mut marks);
-            }
+        let near = vec![(f64::INFINITY, f64::NAN); count];
+        let mut marks = Marks { cuts: vec![[false; 2]; count], near, along: 0.0 };
+        for piece in self.corners.windows(2) {
+            let at = |k: u32| middle(piece[0].uv, piece[1].uv, f64::from(k) / f64::from(PARTS));
+            (0..PARTS).for_each(|k| self.mark([at(k), at(k + 1)], HALVINGS, &mut marks));
         }
         marks
     }
 
-    /// A place outside the face beside `end`, which lies on a border.
-    fn beyond(&self, end: Uv) -> Uv {
-        let mut at = [end.u, end.v];
-        let inside = |k: usize, x: f64| {
-            let range = self.ranges()[k];
-            if range.periodic { f64::INFINITY } else { (x - range.lo).min(range.hi - x) / range.length() }
-        };
-        let k = usize::from(inside(1, at[1]) < inside(0, at[0]));
-        let range = self.ranges()[k];
-        at[k] += BEYOND * range.length() * if at[k] > range.at(0.5) { 1.0 } else { -1.0 };
-        Uv::new(at[0], at[1])
-    }
-
-    /// Marks what the straight piece does, which begins so far `along` the curve and may be an end of it to either side; nothing
-    /// is beside one that is not along it.
-    fn mark(&self, [from, to]: [Uv; 2], is_end: [bool; 2], along: &mut Option<f64>, marks: &mut Marks) {
+    /// Marks what the straight piece does.
+    fn mark(&self, ends: [Uv; 2], halvings: u32, marks: &mut Marks) {
         let (nu, nv) = self.grid.size();
-        let ranges = self.ranges();
-        let at = |t: f64| Uv::new(from.u + (to.u - from.u) * t, from.v + (to.v - from.v) * t);
-        let aside = |uv: Uv| [uv.u + ASIDE[0] * ranges[0].length(), uv.v + ASIDE[1] * ranges[1].length()];
-        let (a, b) = (aside(from), aside(to));
-        // Where it crosses which line of the grid.
-        let mut crossings: Vec<(f64, usize, usize)> = vec![(1.0, 2, 0)];
-        for (k, range) in ranges.iter().enumerate() {
-            let (low, high) = (a[k].min(b[k]), a[k].max(b[k]));
-            let turn =
-                |x: f64| if range.periodic { ((x - range.lo) / range.length()).floor() as i64 } else { 0 };
-            let lines = [nu, nv][k] - usize::from(range.periodic);
-            for (turn, line) in (turn(low)..=turn(high)).flat_map(|turn| (0..lines).map(move |l| (turn, l))) {
-                let node = if k == 0 { self.grid.uv(line, 0).u } else { self.grid.uv(0, line).v };
-                let x = node + turn as f64 * range.length();
-                if (low..high).contains(&x) {
-                    crossings.push(((x - a[k]) / (b[k] - a[k]), k, line));
-                }
+        let [from, to] = ends.map(|uv| self.cell(uv));
+        let cells = [nu as i64 - 1, nv as i64 - 1];
+        let steps = [0, 1].map(|k| {
+            let (step, half) = (to[k] - from[k], cells[k] / 2);
+            if self.ranges[k].periodic { (step + half).rem_euclid(cells[k]) - half } else { step }
+        });
+        if steps[0].abs() + steps[1].abs() > 1 && halvings > 0 {
+            let half = middle(ends[0], ends[1], 0.5);
+            self.mark([ends[0], half], halvings - 1, marks);
+            self.mark([half, ends[1]], halvings - 1, marks);
+            return;
+        }
+        // Between neighbouring cells it crosses the line that they share, and no other.
+        for k in [0, 1] {
+            let other = from[1 - k];
+            if steps[k] != 0 && (0..cells[1 - k]).contains(&other) {
+                let line = if steps[k] > 0 { to[k] } else { from[k] };
+                let (i, j) = if k == 0 { (line, other) } else { (other, line) };
+                marks.cuts[self.fronts.first(j as usize * nu + i as usize)][1 - k] ^= true;
             }
         }
-        sort_by_key(&mut crossings, |(t, ..)| (rank(*t), 0));
-        let mut last = 0.0;
-        for (t, k, line) in crossings {
-            if let Some(along) = along {
-                // At a border it would go on.
-                let low = if is_end[0] && last == 0.0 { f64::NEG_INFINITY } else { 0.0 };
-                let high = if is_end[1] && t == 1.0 { f64::INFINITY } else { 1.0 };
-                self.mark_near([last, t].map(at), (low, high), along, &mut marks.near);
-            }
-            last = t;
-            let [u, v] = aside(at(t));
-            let uv = self.face.domain().hold(Uv::new(u, v));
-            let (i, j) = self.grid.cell_at(uv);
-            let (node, is_inside) = match k {
-                0 => (j * nu + line, ranges[1].contains(v)),
-                1 => (line * nu + i, ranges[0].contains(u)),
-                _ => continue,
-            };
-            if is_inside {
-                marks.cuts[self.fronts.first(node)][1 - k] ^= true;
-            }
-        }
-    }
-
-    /// Marks the nodes around the cell that the piece with these ends lies in, of whose line the shares from `low` to `high`
-    /// count.
-    fn mark_near(&self, ends: [Uv; 2], (low, high): (f64, f64), along: &mut f64, near: &mut [(f64, f64)]) {
-        let [a, b] = ends.map(|uv| self.face.surface.point(uv));
-        let middle = Uv::new(0.5 * (ends[0].u + ends[1].u), 0.5 * (ends[0].v + ends[1].v));
-        let (i, j) = self.grid.cell_at(self.face.domain().hold(middle));
-        let nu = self.grid.size().0;
-        for corner in [(i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)] {
-            for node in self.fronts.around(corner.1 * nu + corner.0).into_iter().flatten() {
-                let node = self.fronts.first(node);
-                let (way, off) = (b - a, self.grid.points()[node] - a);
-                let t = (off.dot(way) / way.length_squared().max(f64::MIN_POSITIVE)).clamp(low, high);
+        let [a, b] = ends.map(|uv| self.point(uv));
+        let way = b - a;
+        let (i, j) = self.grid.cell_at(self.face.domain().hold(ends[0]));
+        for corner in [0, 1, nu, nu + 1].map(|step| j * nu + i + step) {
+            for node in self.fronts.around(corner).into_iter().flatten().map(|n| self.fronts.first(n)) {
+                let off = self.grid.points()[node] - a;
+                let t = (off.dot(way) / way.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
                 let away = (off - way * t).length();
-                if away < near[node].0 {
-                    near[node] = (away, *along + t * way.length());
+                if away < marks.near[node].0 {
+                    marks.near[node] = (away, marks.along + t * way.length());
                 }
             }
         }
-        *along += a.distance(b);
+        marks.along += way.length();
     }
+}
+
+/// The place at the share `t` of the way.
+fn middle(from: Uv, to: Uv, t: f64) -> Uv {
+    Uv::new(from.u + (to.u - from.u) * t, from.v + (to.v - from.v) * t)
 }
 
 /// Whether two straight pieces cross inside both.
