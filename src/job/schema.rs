@@ -112,13 +112,15 @@ fn check(field: &Field, value: &Value) -> Result<(), String> {
                 Err("must be true or false".into())
             }
         }
-        // What is in it tells serde, with its place.
         Kind::Points => {
-            let count = value.as_array().map_or(usize::MAX, Vec::len);
-            if count <= MOST_POINTS {
-                Ok(())
-            } else {
-                Err(format!("must be a list of up to {MOST_POINTS} points [x, y, z]"))
+            let is_number = |x: &Value| x.is_number();
+            let is_point = |p: &Value| p.as_array().is_some_and(|p| p.len() == 3 && p.iter().all(is_number));
+            match value.as_array() {
+                Some(list) if list.len() <= MOST_POINTS => match list.iter().position(|p| !is_point(p)) {
+                    Some(wrong) => Err(format!("point {} must be three numbers [x, y, z]", wrong + 1)),
+                    None => Ok(()),
+                },
+                _ => Err(format!("must be a list of up to {MOST_POINTS} points [x, y, z]")),
             }
         }
     }

@@ -3,7 +3,7 @@
 use super::error::JobError;
 use super::{kinds, schema};
 use serde::{Deserialize, Serialize};
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 /// The version of [`Spec`] that this code writes, and the latest that it reads.
 pub const VERSION: u32 = 1;
@@ -11,13 +11,12 @@ pub const VERSION: u32 = 1;
 /// Everything that affects a job's output. Lengths in millimetres and angles in degrees, as the names say.
 ///
 /// In JSON every choice is an object that names its `kind`.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, into = "Value")]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(into = "Value")]
 pub struct Spec {
     /// [`VERSION`].
     pub version: u32,
     /// The part's name, for the program's header.
-    #[serde(default)]
     pub name: String,
     /// The shape.
     pub source: SourceSpec,
@@ -323,10 +322,22 @@ impl Spec {
         };
         schema::complete(&mut object)?;
         kinds::nest(&mut object)?;
-        let mut track = serde_path_to_error::Track::new();
-        let value = Value::Object(object);
-        Self::deserialize(serde_path_to_error::Deserializer::new(&value, &mut track))
-            .map_err(|e| JobError::field(&kinds::path(&track.path()), e.to_string()))
+        let spec = Self {
+            version: VERSION,
+            name: object.remove("name").map_or(Ok(String::new()), |name| read("name", &name))?,
+            source: source(&take(&mut object, "source")?)?,
+            cutter: read("cutter", &take(&mut object, "cutter")?)?,
+            strategy: read("strategy", &take(&mut object, "strategy")?)?,
+            tolerance: read("tolerance", &take(&mut object, "tolerance")?)?,
+            links: read("links", &take(&mut object, "links")?)?,
+            feeds: read("feeds", &take(&mut object, "feeds")?)?,
+            verify: read("verify", &take(&mut object, "verify")?)?,
+        };
+        object.remove("version");
+        match object.keys().next() {
+            Some(unknown) => Err(JobError::field(unknown, "is no setting of a specification".into())),
+            None => Ok(spec),
+        }
     }
 
     /// The specification as JSON text with every setting spelled out, so that it stays the same when defaults change.
@@ -334,6 +345,25 @@ impl Spec {
         // A struct of numbers, strings and lists always has a JSON form.
         serde_json::to_string_pretty(self).unwrap_or_default()
     }
+}
+
+fn take(object: &mut Map<String, Value>, name: &str) -> Result<Value, JobError> {
+    object.remove(name).ok_or_else(|| JobError::field(name, "must be stated".into()))
+}
+
+/// One group of settings, whose values the schema has checked: only names can be wrong, and those the message tells.
+fn read<'a, T: Deserialize<'a>>(name: &str, value: &'a Value) -> Result<T, JobError> {
+    T::deserialize(value).map_err(|e| JobError::field(name, e.to_string()))
+}
+
+/// The shape, which no schema has checked; following the path to what is wrong costs a third more code.
+fn source(value: &Value) -> Result<SourceSpec, JobError> {
+    let mut track = serde_path_to_error::Track::new();
+    SourceSpec::deserialize(serde_path_to_error::Deserializer::new(value, &mut track)).map_err(|e| {
+        let inside = kinds::path(&track.path());
+        let dot = if inside.is_empty() { "" } else { "." };
+        JobError::field(&format!("source{dot}{inside}"), e.to_string())
+    })
 }
 
 impl From<Spec> for Value {
