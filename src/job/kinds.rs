@@ -7,7 +7,6 @@
 use super::error::JobError;
 use serde::Serialize;
 use serde_json::{Map, Value};
-use serde_path_to_error::{Path, Segment};
 
 /// The settings of a specification that are a choice.
 const CHOICES: [&str; 3] = ["source", "cutter", "strategy"];
@@ -34,19 +33,4 @@ pub(super) fn flat(choice: &impl Serialize) -> Value {
     let Some((kind, Value::Object(mut settings))) = outside.into_iter().next() else { return Value::Null };
     settings.insert("kind".into(), kind.into());
     Value::Object(settings)
-}
-
-/// The path of a setting as people write it; empty for the whole.
-pub(super) fn path(nested: &Path) -> String {
-    let mut path = String::new();
-    for segment in nested {
-        match segment {
-            Segment::Seq { index } => path += &format!("[{index}]"),
-            Segment::Map { key } if path.is_empty() => path.clone_from(key),
-            Segment::Map { key } => path += &format!(".{key}"),
-            // The kind, which people write beside its settings.
-            Segment::Enum { .. } | Segment::Unknown => {}
-        }
-    }
-    path
 }

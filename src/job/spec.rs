@@ -356,13 +356,19 @@ fn read<'a, T: Deserialize<'a>>(name: &str, value: &'a Value) -> Result<T, JobEr
     T::deserialize(value).map_err(|e| JobError::field(name, e.to_string()))
 }
 
-/// The shape, which no schema has checked; following the path to what is wrong costs a third more code.
+/// The shape, which no schema has checked. What is wrong is the setting without which something else is.
 fn source(value: &Value) -> Result<SourceSpec, JobError> {
-    let mut track = serde_path_to_error::Track::new();
-    SourceSpec::deserialize(serde_path_to_error::Deserializer::new(value, &mut track)).map_err(|e| {
-        let inside = kinds::path(&track.path());
-        let dot = if inside.is_empty() { "" } else { "." };
-        JobError::field(&format!("source{dot}{inside}"), e.to_string())
+    SourceSpec::deserialize(value).map_err(|e| {
+        let message = e.to_string();
+        let is_wrong = |name: &&String| {
+            let mut less = value.clone();
+            let inside = less.as_object_mut().and_then(|less| less.values_mut().next()?.as_object_mut());
+            inside.and_then(|inside| inside.remove(*name));
+            SourceSpec::deserialize(&less).map_or_else(|e| e.to_string() != message, |_| true)
+        };
+        let inside = value.as_object().and_then(|value| value.values().next()?.as_object());
+        let wrong = inside.and_then(|inside| inside.keys().find(is_wrong));
+        JobError::field(&wrong.map_or("source".into(), |name| format!("source.{name}")), message)
     })
 }
 
