@@ -8,7 +8,7 @@ import { createForm } from './form.js';
 import { createOpener, LARGEST_FILE } from './opening.js';
 import { Cancelled, createPlanner, PlannerError } from './protocol.js';
 import { createSession } from './session.js';
-import { withFittingVariants, withVariant, write } from './spec.js';
+import { read, withFittingVariants, withVariant, write } from './spec.js';
 import { createState } from './state.js';
 import { t } from './text/index.js';
 import { createAction } from './view/action.js';
@@ -82,6 +82,7 @@ const form = createForm(place('settings'), {
   onEdit: editField,
   onVariant: editVariant,
   onChart: () => editChart({ isOpen: true }),
+  onPicking: (path) => state.set({ picking: state.get().picking === path ? null : path }),
 });
 const views = [
   source,
@@ -133,11 +134,23 @@ function editChart(change) {
 /** @param {string} path @param {any} value */
 function editField(path, value) {
   const { draft } = state.get();
+  // Another choice may hide the field that points are picked for.
+  if (path !== state.get().picking) state.set({ picking: null });
   if (draft) editSpec(write(draft.spec, path, value), path);
+}
+
+/** Appends a point of the surface, mm, to the field that points are picked for. @param {number[]} point */
+function appendPoint(point) {
+  const { draft, picking } = state.get();
+  if (!draft || !picking) return;
+  // A micrometre: nobody clicks more exactly.
+  const rounded = point.map((x) => Math.round(x * 1e3) / 1e3);
+  editSpec(write(draft.spec, picking, [...(read(draft.spec, picking) ?? []), rounded]), '');
 }
 
 /** @param {Group} group @param {string} kind */
 function editVariant(group, kind) {
+  state.set({ picking: null });
   const { draft } = state.get();
   if (draft) editSpec(withVariant(draft.spec, group, kind), '');
 }
@@ -167,7 +180,7 @@ function load(draft) {
   const { schema } = state.get();
   planner.cancel();
   state.edit(schema ? withFittingVariants(schema, draft) : draft, '');
-  state.set({ outcome: null, planned: null, picture: null, job: null, at: 1 });
+  state.set({ outcome: null, planned: null, picture: null, job: null, at: 1, picking: null });
 }
 
 /** @param {unknown} error */
@@ -243,6 +256,7 @@ async function start() {
       canvas = createCanvas3d(place('canvas'), {
         onFace: (index) => editSource('face', index),
         onAt: (at) => state.set({ at }),
+        onPoint: appendPoint,
       });
       canvas.update(state.get());
     })

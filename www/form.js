@@ -4,7 +4,7 @@
  * @import { State, Schema, Group, Field, Spec } from './types.js'
  */
 import { plain } from './format.js';
-import { chosen, fault, fieldsOf, fitting, read, shapeOf } from './spec.js';
+import { chosen, fault, fieldsOf, fitting, pointsOf, pointsText, read, shapeOf } from './spec.js';
 import { has, prettify, t } from './text/index.js';
 import { createCutterSketch } from './view/cutter-sketch.js';
 import { attribute, h, icon, say } from './view/dom.js';
@@ -13,16 +13,17 @@ import { attribute, h, icon, say } from './view/dom.js';
 const OPEN = new Set(['cutter', 'strategy', 'tolerance']);
 
 /**
- * @typedef {{ input: HTMLInputElement | HTMLSelectElement, row: HTMLElement, message: HTMLElement,
+ * @typedef {HTMLInputElement | HTMLSelectElement | HTMLTextAreaElement} Control
+ * @typedef {{ input: Control, row: HTMLElement, message: HTMLElement,
  *   field: Field }} Entry
  */
 
 /**
  * @param {HTMLElement} root
  * @param {{ onEdit: (path: string, value: any) => void, onVariant: (group: Group, kind: string) => void,
- *   onChart: () => void }} callbacks
+ *   onChart: () => void, onPicking: (path: string) => void }} callbacks
  */
-export function createForm(root, { onEdit, onVariant, onChart }) {
+export function createForm(root, { onEdit, onVariant, onChart, onPicking }) {
   /** @type {Map<string, Entry>} */
   let entries = new Map();
   /** @type {Map<string, { body: HTMLElement, summary: HTMLElement, select: HTMLSelectElement | null }>} */
@@ -101,6 +102,20 @@ export function createForm(root, { onEdit, onVariant, onChart }) {
     const id = `field-${path}`;
     const input = control(field, path);
     input.id = id;
+    const picker =
+      field.type === 'points'
+        ? h(
+            'button',
+            {
+              type: 'button',
+              class: 'small',
+              name: 'pick',
+              'data-pick': path,
+              onclick: () => onPicking(path),
+            },
+            t('action.pick'),
+          )
+        : null;
     const message = h('p', { class: 'message', id: `${id}-message`, 'aria-live': 'polite' });
     const unit = field.unit ? h('span', { class: 'unit' }, t(`unit.${field.unit}`, {}, field.unit)) : null;
     const help = has(`help.${path}`) ? h('p', { class: 'help', id: `${id}-help` }, t(`help.${path}`)) : null;
@@ -109,6 +124,7 @@ export function createForm(root, { onEdit, onVariant, onChart }) {
       { class: `field ${field.type}`, 'data-field': path },
       h('label', { for: id }, t(`field.${path}`, {}, prettify(field.name))),
       h('span', { class: 'value' }, input, unit),
+      picker,
       help,
       message,
     );
@@ -117,7 +133,7 @@ export function createForm(root, { onEdit, onVariant, onChart }) {
     return row;
   }
 
-  /** @param {Field} field @param {string} path @returns {HTMLInputElement | HTMLSelectElement} */
+  /** @param {Field} field @param {string} path @returns {Control} */
   function control(field, path) {
     if (field.type === 'choice') {
       const options = (field.options ?? []).map((option) =>
@@ -125,6 +141,16 @@ export function createForm(root, { onEdit, onVariant, onChart }) {
       );
       const select = h('select', { name: path, onchange: () => onEdit(path, select.value) }, ...options);
       return select;
+    }
+    if (field.type === 'points') {
+      const area = h('textarea', {
+        name: path,
+        rows: 5,
+        spellcheck: 'false',
+        autocomplete: 'off',
+        oninput: () => onEdit(path, pointsOf(area.value)),
+      });
+      return area;
     }
     if (field.type === 'boolean') {
       const box = h('input', { type: 'checkbox', name: path, onchange: () => onEdit(path, box.checked) });
@@ -149,7 +175,13 @@ export function createForm(root, { onEdit, onVariant, onChart }) {
     for (const [path, { input, row, message, field }] of entries) {
       const value = read(spec, path);
       if (input instanceof HTMLInputElement && input.type === 'checkbox') input.checked = value === true;
-      else if (input instanceof HTMLInputElement) {
+      else if (input instanceof HTMLTextAreaElement) {
+        // What is being written is left as it is.
+        if (pointsText(pointsOf(input.value)) !== pointsText(value ?? []))
+          input.value = pointsText(value ?? []);
+        const button = row.querySelector('button');
+        if (button) attribute(button, 'aria-pressed', String(state.picking === path));
+      } else if (input instanceof HTMLInputElement) {
         const typed = Number.isNaN(input.valueAsNumber) ? null : input.valueAsNumber;
         if (typed !== (value ?? null))
           input.value = value === null || value === undefined ? '' : String(value);

@@ -147,7 +147,7 @@ export function firstProblem(schema, draft) {
 }
 
 /**
- * What is wrong with a field's value: 'missing', 'low', 'high', or nothing.
+ * What is wrong with a field's value: 'missing', 'low', 'high', 'points', or nothing.
  *
  * @param {Field} field
  * @param {any} value
@@ -155,9 +155,27 @@ export function firstProblem(schema, draft) {
 export function fault(field, value) {
   if (value === null || value === undefined)
     return field.optional || field.default === null ? null : 'missing';
+  if (field.type === 'points') {
+    const isPoint = (/** @type {any[]} */ point) => point.length === 3 && point.every(Number.isFinite);
+    return !Array.isArray(value) || value.length < 2 || !value.every(isPoint) ? 'points' : null;
+  }
   if (typeof value !== 'number') return null;
   if (!Number.isFinite(value)) return 'missing';
   if (field.min !== undefined && field.min !== null && value < field.min) return 'low';
   if (field.max !== undefined && field.max !== null && value > field.max) return 'high';
   return null;
 }
+
+/**
+ * The points that are written one a line, coordinates apart by commas or spaces; what is no number stays one that is none.
+ *
+ * @param {string} text
+ * @returns {number[][]}
+ */
+export function pointsOf(text) {
+  const lines = text.split('\n').map((line) => line.trim());
+  return lines.filter((line) => line !== '').map((line) => line.split(/[\s,;]+/).map(Number));
+}
+
+/** Points as they are written. @param {number[][]} points */
+export const pointsText = (points) => points.map((point) => point.join(', ')).join('\n');

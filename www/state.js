@@ -31,6 +31,7 @@ function empty() {
     },
     at: 1,
     dragging: false,
+    picking: null,
   };
 }
 

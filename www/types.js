@@ -1,10 +1,10 @@
 /**
  * The shapes that page, worker and planner exchange. The planner's own documentation is the authority.
  *
- * @typedef {{ name: string, type: 'number' | 'integer' | 'boolean' | 'choice', unit?: string, min?: number,
+ * @typedef {{ name: string, type: 'number' | 'integer' | 'boolean' | 'choice' | 'points', unit?: string, min?: number,
  *   max?: number, step?: number, default: any, options?: string[], optional?: boolean,
  *   when?: { field: string, is: string[] } }} Field
- * A field counts only `when` the choice beside it is one of these words.
+ * A field counts only `when` the choice beside it is one of these words. The value of `points` is a list of `[x, y, z]`, mm.
  * @typedef {{ kind: string, fields: Field[], for?: string[] }} Variant
  * @typedef {{ id: string, path: string, variants?: Variant[], fields?: Field[] }} Group
  * @typedef {{ version: number, groups: Group[] }} Schema
@@ -62,8 +62,9 @@
  * A number for each vertex of the picture, and sRGB for numbers, of which `low` is −1 and `high` 1.
  * @typedef {{ schema: Schema | null, gallery: GalleryItem[], draft: Draft | null, canUndo: boolean,
  *   canRedo: boolean, picture: Picture | null, outline: Float32Array | null, faces: Map<number, Picture>, outcome: Outcome | null, planned: Draft | null,
- *   job: Job | null, problem: Problem | null, chart: Chart, layers: Layers, at: number, dragging: boolean }} State
- * `planned` is the draft that `outcome` belongs to; `at` is the share of the path that is shown, 0 to 1; `faces` are the
+ *   job: Job | null, problem: Problem | null, chart: Chart, layers: Layers, at: number, dragging: boolean,
+ *   picking: string | null }} State
+ * `picking` is the path of the field to which clicks on the surface append points. `planned` is the draft that `outcome` belongs to; `at` is the share of the path that is shown, 0 to 1; `faces` are the
  * pictures of a file's faces as far as they are made.
  */
 export {};

@@ -253,3 +253,27 @@ test('everything is reached by the keyboard', async ({ page }) => {
     expect([...reached]).toContain(name);
   }
 });
+
+test('a start curve is picked on the surface, and what is written is its text', async ({ page }) => {
+  await visit(page);
+  await set(page, 'strategy.kind', 'constant_scallop');
+  await set(page, 'strategy.start', 'curve');
+  const field = page.locator('[data-field="strategy.start_points_mm"]');
+  const area = field.locator('textarea');
+  await plan(page).click();
+  await expect(field.locator('.message')).toContainText('At least two points');
+  await field.locator('button[name=pick]').click();
+  await expect(field.locator('button[name=pick]')).toHaveAttribute('aria-pressed', 'true');
+  // The surface lies in the middle of the picture.
+  const box = await page.locator('#canvas canvas').boundingBox();
+  for (const aside of [-60, 60]) {
+    await page.mouse.click(box.x + box.width / 2 + aside, box.y + box.height / 2);
+  }
+  await expect(area).toHaveValue(/^-?[\d.]+(, -?[\d.]+){2}\n-?[\d.]+(, -?[\d.]+){2}$/);
+  await expect(field.locator('.message')).toHaveText('');
+  await plan(page).click();
+  await expect(page.locator('.stale')).toBeHidden({ timeout: 60_000 });
+  expect(await proof(page)).toBe(true);
+  await area.fill('1, 2');
+  await expect(field.locator('.message')).toContainText('each of three numbers');
+});

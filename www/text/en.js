@@ -12,6 +12,7 @@ export default {
   'action.open': 'Open file…',
   'action.flip': 'Flip side',
   'action.close': 'Close',
+  'action.pick': 'Pick on the surface',
 
   'surface.title': 'Surface',
   'surface.gallery': 'Example surfaces',
@@ -74,6 +75,7 @@ export default {
   'field.strategy.along': 'Follow',
   'field.strategy.start': 'Start from',
   'field.strategy.start_percent': 'Place of the line',
+  'field.strategy.start_points_mm': 'Points of the curve, mm',
   'field.strategy.angle_deg': 'Angle of the planes',
   'field.strategy.rule': 'Tilt',
   'field.strategy.lead_deg': 'Lead',
@@ -97,6 +99,8 @@ export default {
   'field.verify.spacing_mm': 'Sample spacing',
 
   'help.strategy.start': 'The first pass runs along it, or half a strip inside a border.',
+  'help.strategy.start_points_mm':
+    'One x, y, z a line. Its ends go on to the borders; with the first point again at the end it is closed.',
   'help.strategy.rule': 'Fixed, matched to the surface’s curvature, or whatever gives the widest strips.',
   'help.strategy.least_lead_deg': 'So that the flat bottom does not drag.',
   'help.strategy.turn_along_deg_per_mm': 'The most that the axis turns in a millimetre of feed.',
@@ -104,8 +108,7 @@ export default {
   'help.strategy.lead_deg': 'The angle between axis and surface normal.',
   'help.strategy.yaw_deg': 'Where the axis leans: 0° is along the feed, 90° to its left.',
   'help.tolerance.scallop_mm': 'The most that may stay between two passes.',
-  'help.tolerance.safety':
-    'Passes are planned for this share of the height; the proof judges by all of it.',
+  'help.tolerance.safety': 'Passes are planned for this share of the height; the proof judges by all of it.',
   'help.tolerance.chord_mm': 'How far a straight move may leave the surface.',
   'help.feeds.rapid_mm_per_min': 'Only for the time in the result.',
 
@@ -150,6 +153,7 @@ export default {
   'choice.u_line': 'Line of constant u',
   'choice.v_line': 'Line of constant v',
   'choice.section': 'Plane section',
+  'choice.curve': 'Curve through points',
   'choice.zigzag': 'To and fro',
   'choice.zig': 'One way',
   'choice.fixed': 'Fixed',
@@ -270,6 +274,7 @@ export default {
   'fault.missing': 'Enter a number.',
   'fault.low': 'At least {min}.',
   'fault.high': 'At most {max}.',
+  'fault.points': 'At least two points, each of three numbers.',
   'fault.range': '{min} to {max}.',
   'fault.unit': 'The file does not say its unit: choose it under Surface.',
 };

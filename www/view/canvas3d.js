@@ -21,6 +21,7 @@ import { h } from './dom.js';
 import { createGround } from './ground.js';
 import { createOtherFaces } from './other-faces.js';
 import { createPathLines, lastCut, locate, shareAt } from './path-lines.js';
+import { createStartCurve } from './start-curve.js';
 import { createSurfaceMesh } from './surface-mesh.js';
 import { createTints } from './tint.js';
 import { createZones } from './zones.js';
@@ -36,9 +37,9 @@ const CLICK = 5;
 
 /**
  * @param {HTMLElement} root
- * @param {{ onFace: (index: number) => void, onAt: (at: number) => void }} callbacks
+ * @param {{ onFace: (index: number) => void, onAt: (at: number) => void, onPoint: (point: number[]) => void }} callbacks
  */
-export function createCanvas3d(root, { onFace, onAt }) {
+export function createCanvas3d(root, { onFace, onAt, onPoint }) {
   const canvas = h('canvas', { tabindex: 0, 'aria-label': t('canvas.label') });
   root.append(canvas);
   const renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
@@ -52,6 +53,7 @@ export function createCanvas3d(root, { onFace, onAt }) {
   const zones = createZones();
   const others = createOtherFaces();
   const ground = createGround();
+  const start = createStartCurve();
   const tintOf = createTints();
   const view = createCamera(canvas, move);
   // Lights travel with the eye: whatever is looked at is lit from above the left shoulder.
@@ -67,6 +69,7 @@ export function createCanvas3d(root, { onFace, onAt }) {
     surface.group,
     path.group,
     zones.root.cubes,
+    start.group,
     cutter.mesh,
   );
   let scheduled = false;
@@ -103,7 +106,7 @@ export function createCanvas3d(root, { onFace, onAt }) {
   function theme() {
     const style = getComputedStyle(root);
     const color = (/** @type {string} */ name) => new Color(style.getPropertyValue(name).trim() || '#888');
-    for (const part of [surface, others, path, cutter, zones, ground]) part.theme(color);
+    for (const part of [surface, others, path, cutter, zones, start, ground]) part.theme(color);
     draw();
   }
 
@@ -136,13 +139,18 @@ export function createCanvas3d(root, { onFace, onAt }) {
     const ray = new Raycaster();
     const at = new Vector2(((clientX - left) / width) * 2 - 1, 1 - ((clientY - top) / height) * 2);
     ray.setFromCamera(at, view.camera);
-    const face = others.pick(ray, surface.mesh);
+    const isPicking = Boolean(last?.picking);
+    const face = isPicking ? null : others.pick(ray, surface.mesh);
     if (face !== null) {
       onFace(face);
       return;
     }
     const [hit] = surface.mesh.visible ? ray.intersectObject(surface.mesh) : [];
     const outcome = last?.outcome;
+    if (isPicking) {
+      if (hit) onPoint(hit.point.toArray());
+      return;
+    }
     if (hit && outcome && hasPostures(outcome)) goTo(outcome, hit.point);
   });
 
@@ -204,9 +212,20 @@ export function createCanvas3d(root, { onFace, onAt }) {
   return {
     /** @param {State} state */
     update(state) {
-      const keys = /** @type {const} */ (['picture', 'faces', 'outcome', 'planned', 'layers', 'at']);
+      // Where points are picked, and which, is drawn too.
+      const keys = /** @type {const} */ ([
+        'picture',
+        'faces',
+        'outcome',
+        'planned',
+        'layers',
+        'at',
+        'picking',
+        'draft',
+      ]);
       if (last && keys.every((name) => last?.[name] === state[name])) return;
       last = state;
+      start.set(state.draft?.spec);
       showSurface(state);
       showPath(state);
       const isPlaying = painted.outcome === state.outcome && painted.at !== state.at;
