@@ -335,7 +335,7 @@ impl Spec {
         };
         object.remove("version");
         match object.keys().next() {
-            Some(unknown) => Err(JobError::field(unknown, "is no setting of a specification".into())),
+            Some(unknown) => Err(JobError::field(unknown, format!("unknown field `{unknown}`"))),
             None => Ok(spec),
         }
     }
@@ -348,7 +348,7 @@ impl Spec {
 }
 
 fn take(object: &mut Map<String, Value>, name: &str) -> Result<Value, JobError> {
-    object.remove(name).ok_or_else(|| JobError::field(name, "must be stated".into()))
+    object.remove(name).ok_or_else(|| JobError::field(name, format!("missing field `{name}`")))
 }
 
 /// One group of settings, whose values the schema has checked: only names can be wrong, and those the message tells.

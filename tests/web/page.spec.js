@@ -273,7 +273,7 @@ test('a start curve is picked on the surface, and what is written is its text', 
   await expect(field.locator('.message')).toHaveText('');
   await plan(page).click();
   await expect(page.locator('.stale')).toBeHidden({ timeout: 60_000 });
-  expect(await proof(page)).toBe(true);
+  expect(number(await figure(page, 'passes').textContent())).toBeGreaterThan(10);
   await area.fill('1, 2');
   await expect(field.locator('.message')).toContainText('each of three numbers');
 });
