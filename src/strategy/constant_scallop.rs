@@ -14,6 +14,7 @@ mod upwind;
 use super::family::Family;
 use super::fill;
 use super::iso_planar::mean_normal;
+use super::placing::too_many;
 use super::probe::Setup;
 use super::{Finish, Order, Planned, StrategyError};
 use crate::cutter::Cutter;
@@ -86,6 +87,11 @@ pub fn constant_scallop(
 ) -> Result<Planned, StrategyError> {
     let posture = if let Rule::Fixed(posture) = rule { posture } else { Posture { lead: CHOSEN, yaw: 0.0 } };
     let seed = seed(face, start, flat_strip(cutter, posture, &finish))?;
+    // The level lines of a distance are what is offset already, and a curve that was given is to be the first pass.
+    if matches!((start, rule), (Start::Curve(_), Rule::Fixed(_))) {
+        let even = offset_passes((face, cutter), &seed, &rule, finish, order, f64::INFINITY, stage)?;
+        return even.map(|(even, _)| even).ok_or_else(too_many);
+    }
     let (from, _, column) = seed.clone();
     let first = |a: f64, b: f64| stage.part(PLACE, 0.2 * a, 0.2 * b);
     let family = Family::new(face, cutter, &rule, finish, (from, column), order, &first(0.0, 0.15))?;
