@@ -90,9 +90,8 @@ impl Front {
         let mut stretches = Vec::new();
         for (line, beyond) in lines.iter().zip(beyond) {
             let is_known = |i: &usize| corner(&line[*i]).is_some() && corner(&line[*i + 1]).is_some();
-            let mut known = (0..line.len().saturating_sub(1)).filter(is_known);
-            let first = known.next();
-            let last = known.last().or(first);
+            let count = line.len().saturating_sub(1);
+            let (first, last) = ((0..count).find(is_known), (0..count).rev().find(is_known));
             // Passes run out where they leave a border, and not where the cutter cannot go.
             let runs_out = |probes: &[Probe]| probes.iter().all(|probe| *probe != Probe::Blocked);
             let ends = [first.filter(|&i| runs_out(&line[..i])), last.filter(|&i| runs_out(&line[i + 2..]))];
