@@ -40,6 +40,7 @@ fn measure(bencher: Bencher<'_, '_>, rule: Rule) {
         feed: &feed,
         scallop: 0.01,
         gouge: 0.0005,
+        most_lift: [0.0; 2],
     };
     bencher.counter(ItemsCount::new(NODES)).bench(|| choose(&rule, &ground, false, &Stage::silent()));
 }

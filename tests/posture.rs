@@ -23,7 +23,15 @@ fn along_u(face: &Face, uv: Uv, reversed: bool) -> Option<(Jet, Frame)> {
 fn chosen(face: &Face, cutter: &Cutter, scallop: f64, rule: Rule) -> PostureField {
     let obstacle = FaceObstacle::for_cutter(face, cutter);
     let feed = |uv, reversed| along_u(face, uv, reversed);
-    let ground = Ground { face, obstacle: &obstacle, cutter, feed: &feed, scallop, gouge: 0.0005 };
+    let ground = Ground {
+        face,
+        obstacle: &obstacle,
+        cutter,
+        feed: &feed,
+        scallop,
+        gouge: 0.0005,
+        most_lift: [0.0; 2],
+    };
     choose(&rule, &ground, true, &Stage::silent()).unwrap()
 }
 
@@ -78,6 +86,7 @@ fn in_a_trough_curvatures_match() {
         feed: &feed,
         scallop: 0.01,
         gouge: 0.0005,
+        most_lift: [0.0; 2],
     };
     let width = |posture| {
         let surface = Curvature { ff: 0.0, fb: 0.0, bb: 0.02 };
@@ -200,6 +209,7 @@ fn where_nothing_fits_the_largest_cutter_that_does_is_told() {
         feed: &feed,
         scallop: 0.01,
         gouge: 0.0005,
+        most_lift: [0.0; 2],
     };
     let postures = choose(&Rule::Widest(Limits::default()), &ground, false, &Stage::silent()).unwrap();
     assert!(postures.misfits().len() > 100);

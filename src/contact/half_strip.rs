@@ -58,10 +58,10 @@ pub(super) struct Search {
 /// A place that was looked at: θ in the searched direction, by how much the root of the height there exceeds that of the
 /// limit, and the distance to the side.
 #[derive(Clone, Copy)]
-struct Place {
-    theta: f64,
-    gap: f64,
-    side: f64,
+pub(super) struct Place {
+    pub(super) theta: f64,
+    pub(super) gap: f64,
+    pub(super) side: f64,
 }
 
 /// Steps of a march out from the contact: enough to double from 1e-9 to π.
@@ -115,7 +115,7 @@ impl Search {
         (wish.is_finite() && wish > 0.0).then(|| wish.clamp(1e-9, 1.0))
     }
 
-    fn place(&self, theta: f64, reading: Reading) -> Place {
+    pub(super) fn place(&self, theta: f64, reading: Reading) -> Place {
         Place { theta, gap: reading.height.max(0.0).sqrt() - self.scallop.sqrt(), side: reading.side }
     }
 
@@ -124,7 +124,7 @@ impl Search {
         0.5 * self.accuracy * self.scallop.sqrt()
     }
 
-    fn reached(&self, at: Place) -> HalfStrip {
+    pub(super) fn reached(&self, at: Place) -> HalfStrip {
         HalfStrip::Reached { theta: self.toward * at.theta, side: at.side }
     }
 }
@@ -133,7 +133,7 @@ impl Search {
 const NODES: usize = 4;
 
 /// Inverse interpolation: θ as the polynomial of the gap through the latest places, by Neville's scheme.
-struct Aims {
+pub(super) struct Aims {
     /// The latest first.
     gaps: [f64; NODES],
     /// The polynomials through the latest one, two, … places, at a gap of zero.
@@ -149,8 +149,13 @@ impl Aims {
         Self { gaps: [-target; NODES], zeros, count: 1 + usize::from(expected.is_some()) }
     }
 
+    /// Begins with nothing.
+    pub(super) fn none() -> Self {
+        Self { gaps: [0.0; NODES], zeros: [0.0; NODES], count: 0 }
+    }
+
     /// Takes in a place; the θ at which the gap is expected to be zero, if it is a number.
-    fn add(&mut self, at: Place) -> f64 {
+    pub(super) fn add(&mut self, at: Place) -> f64 {
         let before = self.count.min(NODES - 1);
         let mut zeros = [at.theta; NODES];
         for m in 1..=before {
@@ -166,7 +171,7 @@ impl Aims {
 }
 
 /// The edge between a place within the limit and one beyond it.
-fn refine(
+pub(super) fn refine(
     read: &mut dyn FnMut(f64) -> Reading,
     how: &Search,
     (mut inner, mut outer): (Place, Place),
@@ -203,7 +208,12 @@ fn refine(
 
 /// The envelope ran off the surface between `inner` (over it) and `outer` (not): the border, unless the limit is
 /// reached before it.
-fn border(read: &mut dyn FnMut(f64) -> Reading, how: &Search, mut inner: Place, mut outer: f64) -> HalfStrip {
+pub(super) fn border(
+    read: &mut dyn FnMut(f64) -> Reading,
+    how: &Search,
+    mut inner: Place,
+    mut outer: f64,
+) -> HalfStrip {
     for _ in 0..40 {
         let theta = 0.5 * (inner.theta + outer);
         let reading = read(how.toward * theta);

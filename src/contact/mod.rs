@@ -6,6 +6,7 @@ mod clearance;
 mod drop;
 mod envelope;
 mod half_strip;
+mod lifted_strip;
 mod matching;
 mod place;
 mod relative;

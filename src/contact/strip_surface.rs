@@ -2,6 +2,7 @@
 
 use super::envelope::Sweep;
 use super::half_strip::{HalfStrip, Reading, Search, search};
+use super::lifted_strip::search_lifted;
 use super::relative::second_order_strip_width;
 use crate::cutter::Cutter;
 use crate::geometry::{Curvature, Domain, Face, Jet, Uv};
@@ -26,6 +27,8 @@ pub struct FaceStrip {
     pub left: Edge,
     /// The `−b` side.
     pub right: Edge,
+    /// How low the cutter comes beside a contact that it is lifted off, mm above the surface; 0 where it is not lifted.
+    pub lowest: f64,
 }
 
 /// What a strip is measured with.
@@ -44,12 +47,16 @@ const ACCURACY: f64 = 1e-3;
 /// sixth of it at the most, times the change of the curvature over a millimetre.
 const NEAR_SHARE: f64 = 0.01;
 const NEAR: f64 = 0.01;
+/// What counts as a lift, mm: less is rounding.
+const LEAST_LIFT: f64 = 1e-6;
 
 /// The exact strip about the contact `cc` at `uv` on `face`, while the contact moves along its feed at unit speed and
 /// its frame turns by `spin` (radians per mm, in world axes).
 ///
 /// The envelope is that of the true motion and the height is taken along the face's own normal, with no model in
-/// between. An edge is found to a thousandth of the scallop. `None` at a pole.
+/// between. An edge is found to a thousandth of the scallop. Where `cc` stands above the face, the cutter is lifted by as much:
+/// then the height falls from there, to about 0 where both sides of a hollow are touched, before it rises to the edge. A lift
+/// below a nanometre is none. `None` at a pole.
 pub fn face_strip(
     face: &Face,
     cutter: &Cutter,
@@ -62,6 +69,7 @@ pub fn face_strip(
     let surface = Curvature::of(&jet, &cc.frame)?;
     let expected = 0.5 * second_order_strip_width(cutter, cc.posture, &surface, limits.scallop);
     let sweep = Sweep::new(cutter, cc, cc.frame.f, spin);
+    let lift = (cc.point - jet.p).dot(n);
     let domain = face.domain();
     let edge = |left: bool| {
         let sign = if left { 1.0 } else { -1.0 };
@@ -81,7 +89,12 @@ pub fn face_strip(
             toward,
             accuracy: ACCURACY,
         };
-        match search(&mut read, how) {
+        let (end, lowest) = if lift < LEAST_LIFT {
+            (search(&mut read, how), 0.0)
+        } else {
+            search_lifted(&mut read, how, cutter, (cc.posture.lead, lift))
+        };
+        let edge = match end {
             HalfStrip::Reached { theta, .. } => Edge::Reached(foot.at(sweep.point(theta))),
             HalfStrip::Whole { .. } => Edge::Reached(foot.uv),
             HalfStrip::Border { theta } => {
@@ -93,9 +106,11 @@ pub fn face_strip(
                 }
             }
             HalfStrip::Gouge { height } => Edge::Gouge(height),
-        }
+        };
+        (edge, lowest)
     };
-    Some(FaceStrip { left: edge(true), right: edge(false) })
+    let [(left, low_left), (right, low_right)] = [edge(true), edge(false)];
+    Some(FaceStrip { left, right, lowest: low_left.min(low_right) })
 }
 
 /// A way in the parameters, and where it leads.

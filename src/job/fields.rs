@@ -85,8 +85,8 @@ const HEIGHT: Field = number("height_mm", "mm", [0.1, 500.0], 1.0, 40.0);
 const LEAD: Field = number("lead_deg", "°", [0.0, 80.0], 0.5, 8.0).when("rule", &["fixed"]);
 const YAW: Field = number("yaw_deg", "°", [-180.0, 180.0], 1.0, 0.0).when("rule", &["fixed"]);
 /// Where the lead is chosen, the bounds are [`crate::posture::Limits`].
-const CHOSEN: &[&str] = &["matched", "widest"];
-const RULE: Field = choice("rule", &["fixed", "matched", "widest"], "fixed");
+const CHOSEN: &[&str] = &["matched", "widest", "two_contacts"];
+const RULE: Field = choice("rule", &["fixed", "matched", "widest", "two_contacts"], "fixed");
 const LEAST_LEAD: Field = number("least_lead_deg", "°", [0.1, 45.0], 0.5, 2.0).when("rule", CHOSEN);
 const MOST_LEAD: Field = number("most_lead_deg", "°", [1.0, 80.0], 1.0, 45.0).when("rule", CHOSEN);
 const MOST_YAW: Field = number("most_yaw_deg", "°", [0.0, 80.0], 5.0, 30.0).when("rule", &["widest"]);

@@ -217,7 +217,8 @@ pub enum AlongSpec {
     V,
 }
 
-/// How the cutter's lead and yaw are found: stated, by curvature matching, or for the widest strips.
+/// How the cutter's lead and yaw are found: stated, by curvature matching, for the widest strips, or by curvature matching with the
+/// cutter on both sides of hollows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[expect(missing_docs, reason = "the names say it")]
@@ -225,6 +226,7 @@ pub enum RuleSpec {
     Fixed,
     Matched,
     Widest,
+    TwoContacts,
 }
 
 /// The curve that passes are offset from: a border, a line of that parameter, a plane section, or one

@@ -83,9 +83,12 @@ impl StrategySpec {
             return Ok(None);
         };
         let posture = Posture { lead: lead_deg.to_radians(), yaw: yaw_deg.to_radians() };
-        if *rule == RuleSpec::Fixed {
-            return Ok(Some(Rule::Fixed(posture)));
-        }
+        let by: fn(Limits) -> Rule = match rule {
+            RuleSpec::Fixed => return Ok(Some(Rule::Fixed(posture))),
+            RuleSpec::Matched => Rule::Matched,
+            RuleSpec::Widest => Rule::Widest,
+            RuleSpec::TwoContacts => Rule::TwoContacts,
+        };
         if most_lead_deg < least_lead_deg {
             let message = format!("must be at least {least_lead_deg}°, the least lead");
             return Err(JobError::field("strategy.most_lead_deg", message));
@@ -96,7 +99,7 @@ impl StrategySpec {
             most_yaw: most_yaw_deg.to_radians(),
             most_turn: [turn_along_deg_per_mm, turn_across_deg_per_mm].map(|turn| turn.to_radians()),
         };
-        Ok(Some(if *rule == RuleSpec::Matched { Rule::Matched(limits) } else { Rule::Widest(limits) }))
+        Ok(Some(by(limits)))
     }
 }
 

@@ -6,6 +6,7 @@ use super::field::Way;
 use super::fit::largest_fit;
 use super::lattice::Lattice;
 use super::lead::{clear_leads, local_leads, spread};
+use super::lift::lift;
 use super::yaw::yaws;
 use super::{Limits, PostureField, Rule};
 use crate::contact::FaceObstacle;
@@ -29,6 +30,8 @@ pub struct Ground<'a> {
     pub scallop: f64,
     /// How deep the cutter may reach into the face before a posture counts as gouging, mm.
     pub gouge: f64,
+    /// How far it may be lifted off the middle of a hollow, [`Rule::most_lift`].
+    pub most_lift: [f64; 2],
 }
 
 /// Distance of the nodes at which postures are chosen, as a share of the cutter's diameter: what the cutter touches
@@ -70,7 +73,24 @@ pub fn choose(rule: &Rule, ground: &Ground, both: bool, stage: &Stage) -> Result
     Ok(PostureField::chosen(typical, ways, spots, fit))
 }
 
+/// [`any_way`], with lifts where they save enough.
 fn one_way(
+    limits: &Limits,
+    ground: &Ground,
+    grid: &FaceGrid,
+    reversed: bool,
+    stage: &Stage,
+) -> Result<(Lattice, Way, Vec<usize>), Cancelled> {
+    let lifted = any_way(limits, ground, grid, reversed, stage)?;
+    if lifted.1.lifts.is_empty() {
+        return Ok(lifted);
+    }
+    let ground = Ground { most_lift: [0.0; 2], ..*ground };
+    let plain = any_way(limits, &ground, grid, reversed, &stage.quiet())?;
+    Ok(if saves(&ground, &lifted.0, &lifted.1, &plain.1) { lifted } else { plain })
+}
+
+fn any_way(
     limits: &Limits,
     ground: &Ground,
     grid: &FaceGrid,
@@ -107,10 +127,29 @@ fn one_way(
     let bounds = bounds(ground, limits, &lattice, &told);
     // Where clearance took more lead than was thought, the same yaw turns the axis more.
     let yaws = lattice.steadied(&yaws, &allowed_yaws(ground, &lattice, &leads, &halves));
-    let postures = leads.into_iter().zip(yaws).map(|(lead, yaw)| Posture { lead, yaw }).collect();
-    let way = Way { axes: lattice.axes.clone(), postures, bounds };
+    let postures: Vec<Posture> =
+        leads.into_iter().zip(yaws).map(|(lead, yaw)| Posture { lead, yaw }).collect();
+    let mut way = Way { axes: lattice.axes.clone(), postures, bounds, lifts: Vec::new() };
+    lift(ground, &lattice, &mut way, reversed, stage)?;
     Ok((lattice, way, misfits))
 }
+
+/// Whether `lifted` saves [`SAVED`] of the passes of `plain`: strips that are wider in some places than in others do not make
+/// whole passes shorter.
+fn saves(ground: &Ground, lattice: &Lattice, lifted: &Way, plain: &Way) -> bool {
+    let mut costs = [0.0; 2];
+    for i in (0..lattice.nodes.len()).step_by(SAMPLED) {
+        let half = |way: &Way, lift| half_width(ground, &lattice.nodes[i], way.postures[i], lift);
+        if let (Some(with), Some(without)) = (half(lifted, lifted.lifts[i]), half(plain, 0.0)) {
+            costs[0] += lattice.nodes[i].area / with;
+            costs[1] += lattice.nodes[i].area / without;
+        }
+    }
+    costs[0] < (1.0 - SAVED) * costs[1]
+}
+
+/// Share of the passes that lifts have to save.
+const SAVED: f64 = 0.03;
 
 /// The area of the face in strips' widths, over some of the nodes: about how long passes are, in mm, where all nodes count.
 fn cost(ground: &Ground, lattice: &Lattice, leads: &[f64], yaws: &[f64]) -> f64 {
@@ -118,7 +157,7 @@ fn cost(ground: &Ground, lattice: &Lattice, leads: &[f64], yaws: &[f64]) -> f64 
         let node = &lattice.nodes[i];
         let posture = Posture { lead: leads[i], yaw: yaws[i] };
         // Where the cutter digs in, or the strip runs over borders on both sides, nothing is told.
-        half_width(ground, node, posture).map_or(0.0, |half| 0.5 * node.area / half)
+        half_width(ground, node, posture, 0.0).map_or(0.0, |half| 0.5 * node.area / half)
     };
     (0..leads.len()).step_by(SAMPLED).map(one).sum()
 }

@@ -32,6 +32,8 @@ pub(super) struct Way {
     pub(super) postures: Vec<Posture>,
     /// What keeps each lead from being less; empty where nobody asks.
     pub(super) bounds: Vec<Bound>,
+    /// How far the cutter is lifted there, mm; empty where it is nowhere.
+    pub(super) lifts: Vec<f64>,
 }
 
 impl PostureField {
@@ -65,6 +67,11 @@ impl PostureField {
             yaw: along_u.yaw * u + along_v.yaw * v,
         });
         (posture, turning)
+    }
+
+    /// How far the cutter stands off the surface at `uv`, mm: above 0 where both its sides touch a hollow.
+    pub fn lift(&self, uv: Uv, reversed: bool) -> f64 {
+        self.way(reversed).map_or(0.0, |way| way.lift(uv))
     }
 
     /// What keeps the lead at `uv` from being less.
@@ -120,5 +127,21 @@ impl Way {
         }
         let [value, along_u, along_v] = sums;
         (value, [along_u, along_v])
+    }
+
+    /// The lift at `uv`, mm.
+    pub(super) fn lift(&self, uv: Uv) -> f64 {
+        if self.lifts.is_empty() {
+            return 0.0;
+        }
+        let [wu, wv] = [self.axes[0].weights(uv.u), self.axes[1].weights(uv.v)];
+        let row = |j: usize| -> f64 {
+            wu.nodes
+                .iter()
+                .zip(wu.value)
+                .map(|(i, weight)| weight * self.lifts[j * self.axes[0].len() + i])
+                .sum()
+        };
+        wv.nodes.iter().zip(wv.value).map(|(&j, weight)| weight * row(j)).sum()
     }
 }

@@ -24,6 +24,8 @@ pub(super) struct Node {
     pub(super) area: f64,
     /// What the cutter meets there; nothing where the feed has no direction.
     pub(super) contact: Option<Contact>,
+    /// How far the cutter may be lifted there and at the nodes around, mm.
+    pub(super) most_lift: f64,
 }
 
 /// Contact frame and the surface's curvature in it.
@@ -39,6 +41,18 @@ pub(super) struct Pair {
     pub(super) nodes: [usize; 2],
     /// The way between them along the feed and across it, mm.
     pub(super) way: [f64; 2],
+}
+
+impl Node {
+    /// At `uv`, standing for a unit of parameters.
+    pub(super) fn new(ground: &Ground, uv: Uv, reversed: bool) -> Self {
+        let jet = ground.face.jet(uv);
+        let contact = (ground.feed)(uv, reversed)
+            .and_then(|(jet, frame)| Some(Contact { frame, surface: Curvature::of(&jet, &frame)? }));
+        let hollow = contact.is_none_or(|contact| contact.surface.ff > 0.0);
+        let most_lift = ground.most_lift[usize::from(hollow)];
+        Self { uv, point: jet.p, area: jet.area_density(), contact, most_lift }
+    }
 }
 
 impl Lattice {
@@ -59,18 +73,21 @@ impl Lattice {
             (0..axes[0].len())
                 .map(|i| {
                     let uv = Uv::new(axes[0].node(i), axes[1].node(j));
-                    let jet = ground.face.jet(uv);
-                    let contact = (ground.feed)(uv, reversed).and_then(|(jet, frame)| {
-                        Some(Contact { frame, surface: Curvature::of(&jet, &frame)? })
-                    });
-                    let area = jet.area_density() * axes[0].share(i) * axes[1].share(j);
-                    Node { uv, point: jet.p, area, contact }
+                    let node = Node::new(ground, uv, reversed);
+                    Node { area: node.area * axes[0].share(i) * axes[1].share(j), ..node }
                 })
                 .collect()
         };
         let nodes: Vec<Node> = stage.map(axes[1].len(), row)?.into_iter().flatten().collect();
         let pairs = pairs(&axes, &nodes);
-        Ok(Self { axes, nodes, pairs })
+        // Between nodes of either kind moves may run above their path.
+        let mut lattice = Self { axes, nodes, pairs };
+        let mosts =
+            lattice.largest_around(&lattice.nodes.iter().map(|node| -node.most_lift).collect::<Vec<_>>());
+        for (node, most) in lattice.nodes.iter_mut().zip(mosts) {
+            node.most_lift = -most;
+        }
+        Ok(lattice)
     }
 
     /// For each node the largest of `values` at it and at the nodes around it, over corners too.

@@ -1,6 +1,6 @@
 //! The least leads at which the cutter digs in nowhere, over the whole face.
 
-use super::clear::{is_clear, least_clear, least_local};
+use super::clear::{is_clear, least_clear, least_local, widest_lifted};
 use super::lattice::Lattice;
 use super::{Ground, Limits};
 use crate::monitor::{Cancelled, Stage};
@@ -19,7 +19,9 @@ pub(super) fn local_leads(
     stage: &Stage,
 ) -> Result<Vec<f64>, Cancelled> {
     stage.map(yaws.len(), |i| {
-        least_local(ground, ground.cutter, &lattice.nodes[i], yaws[i], limits).unwrap_or(limits.least_lead)
+        let node = &lattice.nodes[i];
+        let unlifted = least_local(ground, ground.cutter, node, yaws[i], limits).unwrap_or(limits.least_lead);
+        widest_lifted(ground, node, unlifted, limits)
     })
 }
 

@@ -10,6 +10,7 @@ mod field;
 mod fit;
 mod lattice;
 mod lead;
+mod lift;
 mod motion;
 mod rule;
 mod spline;

@@ -15,6 +15,9 @@ pub enum Rule {
     Matched(Limits),
     /// The lead and yaw with the widest strips.
     Widest(Limits),
+    /// Two contacts: in a hollow less lead than would match its curvature, and the cutter lifted until both its sides touch,
+    /// by no more than the middle may stand above the surface. Elsewhere as [`Rule::Matched`].
+    TwoContacts(Limits),
 }
 
 /// What a chosen posture keeps to.
@@ -48,13 +51,27 @@ impl Default for Limits {
     }
 }
 
+/// Share of the scallop height that the middle of a strip may be lifted by; the rest is for what happens between nodes and
+/// for rounding.
+const LIFTED: f64 = 0.97;
+
 impl Rule {
     /// The limits of a rule that chooses; the rule of matching keeps yaw 0.
     pub(super) fn limits(&self) -> Result<Limits, Posture> {
         match *self {
             Self::Fixed(posture) => Err(posture),
-            Self::Matched(limits) => Ok(Limits { most_yaw: 0.0, ..limits }),
+            Self::Matched(limits) | Self::TwoContacts(limits) => Ok(Limits { most_yaw: 0.0, ..limits }),
             Self::Widest(limits) => Ok(limits),
+        }
+    }
+
+    /// How far the cutter may be lifted off the middle of a hollow, mm: where the feed is straight or bends away from the
+    /// cutter, and where it bends towards it, so that moves run above their path by up to `chord` (mm); for cusps of the height
+    /// `scallop` (mm).
+    pub fn most_lift(&self, scallop: f64, chord: f64) -> [f64; 2] {
+        match self {
+            Self::TwoContacts(_) => [scallop, scallop - chord].map(|most| LIFTED * most),
+            Self::Fixed(_) | Self::Matched(_) | Self::Widest(_) => [0.0; 2],
         }
     }
 }

@@ -77,7 +77,7 @@ pub(super) fn yaws(
         }
     }
     let postures = yaws.into_iter().map(|yaw| Posture { lead: 0.0, yaw }).collect();
-    let way = Way { axes: lattice.axes, postures, bounds: Vec::new() };
+    let way = Way { axes: lattice.axes, postures, bounds: Vec::new(), lifts: Vec::new() };
     Ok(fine.nodes.iter().map(|node| way.at(node.uv).0.yaw).collect())
 }
 
@@ -87,7 +87,7 @@ fn costs(ground: &Ground, limits: &Limits, node: &Node, axis: &Axis) -> Option<[
     for (k, cost) in costs.iter_mut().enumerate() {
         let yaw = axis.node(k);
         let Some(lead) = least_local(ground, ground.cutter, node, yaw, limits) else { continue };
-        *cost = 0.5 / half_width(ground, node, Posture { lead, yaw })?;
+        *cost = 0.5 / half_width(ground, node, Posture { lead, yaw }, 0.0)?;
     }
     let most = costs.iter().copied().filter(|c| c.is_finite()).fold(0.0, f64::max);
     // What does not fit costs more than whatever does.

@@ -81,7 +81,8 @@ impl Setup<'_> {
     /// The station at `uv`, clear or not.
     pub(super) fn station(&self, uv: Uv, reversed: bool) -> Option<Station> {
         let (jet, frame) = self.frame(uv, reversed)?;
-        let cc = CcPoint { point: jet.p, frame, posture: self.postures.at(uv, reversed) };
+        let point = jet.p + frame.n * self.postures.lift(uv, reversed);
+        let cc = CcPoint { point, frame, posture: self.postures.at(uv, reversed) };
         let work = Work { strip: None, bound: self.postures.bound(uv, reversed) };
         Some(Station { cc, cl: cl_of(self.cutter, &cc), work })
     }
@@ -137,7 +138,8 @@ impl Setup<'_> {
         let (jet, frame) = self.frame(uv, reversed)?;
         let (mut posture, turning) = self.postures.moving(uv, reversed, &jet, &frame);
         posture.lead += more;
-        let cc = CcPoint { point: jet.p, frame, posture };
+        let point = jet.p + frame.n * self.postures.lift(uv, reversed);
+        let cc = CcPoint { point, frame, posture };
         let k = Curvature::of(&jet, &frame)?;
         let geodesic = self.field.geodesic_curvature(uv, &jet, &frame, k.ff);
         let geodesic = if geodesic.is_finite() { geodesic } else { 0.0 };

@@ -32,7 +32,8 @@ impl<'a> Setup<'a> {
         let (face, cutter, finish) = (self.face, self.cutter, &self.finish);
         let feed = |uv, reversed| contact_frame(face, &self.field, uv, reversed);
         let obstacle = &self.obstacle;
-        let ground = Ground { face, obstacle, cutter, feed: &feed, scallop: finish.scallop, gouge: GOUGE };
+        let (scallop, most_lift) = (finish.scallop, rule.most_lift(finish.scallop, finish.chord));
+        let ground = Ground { face, obstacle, cutter, feed: &feed, scallop, gouge: GOUGE, most_lift };
         self.postures = choose(rule, &ground, order == Order::ZigZag, stage)?;
         self.strip = 2.0 * probe_spacing(cutter, self.postures.typical(), finish);
         Ok(())

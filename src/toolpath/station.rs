@@ -15,7 +15,7 @@ pub struct Posture {
 /// A cutter-contact point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CcPoint {
-    /// The point on the surface, millimetres.
+    /// The point on the surface, millimetres; above it by as much as the cutter is lifted to lie on both sides of a hollow.
     pub point: DVec3,
     /// Feed, left of the pass, and outward normal.
     pub frame: Frame,

@@ -1,6 +1,6 @@
 //! How far places lie from a start curve, in strips, by a front that runs out from it.
 
-use crate::contact::{model_strip, second_order_strip_width};
+use crate::contact::{matching_lead, model_strip, second_order_strip_width};
 use crate::cutter::Cutter;
 use crate::geometry::{Curvature, Domain, Face, FaceGrid, Field, Fronts, Table, Uv};
 use crate::monitor::{Cancelled, Stage};
@@ -116,10 +116,16 @@ impl Offset {
         let wide = || {
             let (jet, frame) = contact_frame(setup.face, direction, uv, false)?;
             let curvature = Curvature::of(&jet, &frame)?;
-            let posture = setup.postures.at(uv, false);
+            let (mut posture, lift) = (setup.postures.at(uv, false), setup.postures.lift(uv, false));
+            // On both sides of a hollow the square of the width grows evenly with the root of the lift, from what it is where
+            // curvatures match.
+            let wider = (1.0 + (lift / setup.finish.scallop).sqrt()).sqrt();
+            if lift > 0.0 {
+                posture.lead = matching_lead(setup.cutter, &curvature, posture.yaw)?.max(posture.lead);
+            }
             let strip = model_strip(setup.cutter, posture, &curvature, setup.finish.scallop);
             let (left, right) = strip.half_widths()?;
-            Some(left + right)
+            Some((left + right) * wider)
         };
         let width = wide().filter(|w| w.is_finite()).unwrap_or(self.flat);
         width.clamp(NARROWEST * self.flat, WIDEST * self.flat)
