@@ -7,6 +7,7 @@ use crate::contact::{
 };
 use crate::cutter::Cutter;
 use crate::geometry::Curvature;
+use crate::math::order::{rank, sort_by_key};
 use serde::Serialize;
 
 /// Curves of stepover against tilt for one cutter and scallop height, one set a surface radius.
@@ -113,7 +114,7 @@ fn curves(cutter: &Cutter, scallop: f64, radius: f64) -> StepoverCurves {
     // Where lines begin and end.
     tilts.extend(matching.map(Tilt::of_radians));
     tilts.extend(widest.map(|w| Tilt::of_radians(w.lead)));
-    tilts.sort_by(|a, b| a.radians.total_cmp(&b.radians));
+    sort_by_key(&mut tilts, |tilt| (rank(tilt.radians), 0));
     tilts.dedup();
     let at = |value: &dyn Fn(f64) -> Option<f64>| tilts.iter().map(|tilt| value(tilt.radians)).collect();
     let exact = |lean| straight_strip(cutter, lean, k, scallop).map(|strip| strip.stepover);

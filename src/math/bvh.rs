@@ -1,5 +1,6 @@
 //! A tree of axis-aligned boxes.
 
+use super::order::sort_by_key;
 use glam::DVec3;
 use std::ops::Range;
 
@@ -81,7 +82,7 @@ impl Bvh {
                 |pick: &dyn Fn(u32) -> Aabb| mine.iter().fold(Aabb::EMPTY, |b, &i| b.union(&pick(i)));
             tree.boxes[node] = around(&|i| items[i as usize]);
             if mine.len() <= leaf.max(1) {
-                mine.sort_unstable();
+                sort_by_key(mine, |&i| (u64::from(i), 0));
                 tree.links[node] = Link { first: range.start as u32, count: mine.len() as u32 };
                 continue;
             }

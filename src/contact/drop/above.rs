@@ -2,6 +2,7 @@
 
 use super::{DropMesh, holds};
 use crate::math::bvh::Aabb;
+use crate::math::order::{rank, sort_by_key};
 use glam::{DVec2, DVec3};
 
 impl DropMesh {
@@ -55,7 +56,7 @@ impl DropMesh {
                 }
             },
         );
-        spans.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sort_by_key(&mut spans, |span| (rank(span.0), 0));
         let mut merged: Vec<(f64, f64)> = Vec::new();
         for (from, to) in spans {
             match merged.last_mut() {

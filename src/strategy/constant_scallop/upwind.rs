@@ -1,6 +1,7 @@
 //! What a front carries along as it runs over a grid.
 
 use crate::geometry::{FaceGrid, Fronts};
+use crate::math::order::{rank, sort_by_key};
 
 /// Where the front came from to each node of a grid.
 pub(super) struct Upwind {
@@ -14,7 +15,7 @@ impl Upwind {
     /// For a front that passes the nodes of `grid`, over which `fronts` run, at the times `values`, times `sign`.
     pub(super) fn new(fronts: &Fronts, grid: &FaceGrid, values: &[f64], sign: f64) -> Self {
         let mut order: Vec<usize> = (0..values.len()).collect();
-        order.sort_by(|&a, &b| (sign * values[a]).total_cmp(&(sign * values[b])).then(a.cmp(&b)));
+        sort_by_key(&mut order, |&node| (rank(sign * values[node]), 0));
         let points = grid.points();
         let before = |node: usize, other: usize| sign * (values[node] - values[other]);
         let from = (0..values.len()).map(|node| {
