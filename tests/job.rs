@@ -87,7 +87,7 @@ fn a_safety_factor_keeps_the_rest_in_reserve() {
         plan.emitted.toolpath.length(Role::Cut)
     });
     let share = part / whole * 0.8f64.sqrt();
-    assert!((share - 1.0).abs() < 0.03, "{share}");
+    assert!((share - 1.0).abs() < 0.04, "{share}");
 }
 
 #[test]

@@ -59,8 +59,8 @@ fn passes_in_a_trough_lie_as_far_apart_as_strips_are_wide() {
         let step = |w: &[f64]| 2.0 * radius * libm::sin(0.5 * (w[1] - w[0]));
         let whole = around.windows(2).map(step).filter(|step| *step > 0.9 * expected);
         let shares: Vec<f64> = whole.map(|step| step / expected).collect();
-        // The first or the last one may lie anywhere.
-        assert!(shares.len() + 2 >= around.len() && shares.len() >= 3, "{radius} {r1}: {around:?}");
+        // The first or the last one may lie anywhere, and a short one beside a border.
+        assert!(shares.len() + 3 >= around.len() && shares.len() >= 3, "{radius} {r1}: {around:?}");
         assert!(shares.iter().all(|share| (0.99..1.002).contains(share)), "{radius} {r1}: {shares:?}");
         assert_keeps(&plan);
     }

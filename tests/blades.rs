@@ -1,0 +1,35 @@
+//! Chosen postures against a fixed lead of 5° on a blade, from the same start curve.
+
+use serde_json::{Value, json};
+use stepover::job::{self, Plan, Shape, Spec};
+use stepover::monitor::Stage;
+
+#[path = "support/widths.rs"]
+mod widths;
+
+/// The gallery's blade at constant scallop from the border `u = 0`: R1 = 3 mm, r = 2 mm, h = 0.01 mm.
+fn blade(posture: &Value) -> (Spec, Plan) {
+    let mut job: Value = serde_json::from_str(&job::gallery()[1].spec.to_json()).unwrap();
+    job["strategy"] = json!({"kind": "constant_scallop", "start": "u_low"});
+    for (key, value) in posture.as_object().unwrap() {
+        job["strategy"][key] = value.clone();
+    }
+    let spec = Spec::from_json(&job.to_string()).unwrap();
+    let plan = job::plan(&spec, None, &Stage::silent()).unwrap();
+    (spec, plan)
+}
+
+#[test]
+fn chosen_postures_save_two_fifths_of_the_pressure_side() {
+    let (spec, fixed) = blade(&json!({"lead_deg": 5}));
+    let (_, chosen) = blade(&json!({"rule": "widest", "least_lead_deg": 2}));
+    for plan in [&fixed, &chosen] {
+        let verified = plan.prove(&Stage::silent()).unwrap().unwrap().verified;
+        assert!(verified.largest_excess_mm.unwrap() <= 0.01, "{verified:?}");
+        assert!(verified.largest_gouge_mm.unwrap() >= -0.001, "{verified:?}");
+        assert!(verified.uncut_area_mm2 <= 0.0 && plan.unreached().is_empty(), "{verified:?}");
+    }
+    let Ok((Shape::Face(face), _)) = spec.source.shape(None) else { panic!() };
+    let saving = widths::Saving::of([&fixed, &chosen], &face, 1.0);
+    assert!(saving.made() >= 0.4 && saving.possible() >= saving.made(), "{saving:?}");
+}

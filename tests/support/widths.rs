@@ -1,0 +1,58 @@
+//! How much shorter passes are with one plan than with another, beside what the widths of their strips allow.
+
+use glam::DVec3;
+use stepover::geometry::{Face, Zone};
+use stepover::job::Plan;
+use stepover::toolpath::Role;
+use stepover::verify::Samples;
+
+/// Two plans over the ground that both reach.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Saving {
+    /// Length of the emitted cutting moves of each, mm.
+    pub(crate) lengths: [f64; 2],
+    /// `∬ dA/w` of each, mm, with the widths of the strips nearest to each place.
+    pub(crate) allowed: [f64; 2],
+}
+
+impl Saving {
+    /// The second plan's saving against the first over `face`, on whose area places `spacing` mm apart are looked at.
+    pub(crate) fn of(plans: [&Plan; 2], face: &Face, spacing: f64) -> Self {
+        let samples = Samples::of_face(face, spacing).unwrap();
+        let beyond = plans.map(Plan::unreached);
+        Self {
+            lengths: [length(plans[0], beyond[1]), length(plans[1], beyond[0])],
+            allowed: plans.map(|plan| allowed(plan, &samples, beyond)),
+        }
+    }
+
+    /// What the second plan saves, as a share of the first.
+    pub(crate) fn made(&self) -> f64 {
+        1.0 - self.lengths[1] / self.lengths[0]
+    }
+
+    /// What the widths of its strips allow it to save.
+    pub(crate) fn possible(&self) -> f64 {
+        1.0 - self.allowed[1] / self.allowed[0]
+    }
+}
+
+/// Length of the cutting moves that end outside of `beyond`, mm.
+fn length(plan: &Plan, beyond: &Zone) -> f64 {
+    let moves = plan.emitted.toolpath.moves.windows(2).zip(&plan.touches[1..]);
+    let counts = moves.filter(|(w, touch)| w[1].role == Role::Cut && !beyond.contains(touch.point));
+    counts.map(|(w, _)| w[0].to.tip.distance(w[1].to.tip)).sum()
+}
+
+fn allowed(plan: &Plan, samples: &Samples, beyond: [&Zone; 2]) -> f64 {
+    let strips: Vec<(DVec3, f64)> =
+        plan.touches.iter().filter_map(|touch| Some((touch.point, touch.contact?.1.strip?))).collect();
+    let counts = samples.samples.iter().zip(&samples.areas);
+    let counts = counts.filter(|(sample, _)| !beyond.iter().any(|zone| zone.contains(sample.point)));
+    counts.map(|(sample, area)| area / nearest(&strips, sample.point)).sum()
+}
+
+fn nearest(strips: &[(DVec3, f64)], point: DVec3) -> f64 {
+    let away = |strip: &&(DVec3, f64)| strip.0.distance_squared(point);
+    strips.iter().min_by(|a, b| away(a).total_cmp(&away(b))).map_or(f64::INFINITY, |strip| strip.1)
+}
