@@ -101,7 +101,8 @@ export default {
   'help.strategy.start': 'The first pass runs along it, or half a strip inside a border.',
   'help.strategy.start_points_mm':
     'One x, y, z a line. Its ends go on to the borders; with the first point again at the end it is closed.',
-  'help.strategy.rule': 'Fixed, matched to the surface’s curvature, whatever gives the widest strips, or matched and lifted so that both sides of hollows are touched.',
+  'help.strategy.rule':
+    'Fixed, matched to the surface’s curvature, whatever gives the widest strips, or matched and lifted so that both sides of hollows are touched.',
   'help.strategy.least_lead_deg': 'So that the flat bottom does not drag.',
   'help.strategy.turn_along_deg_per_mm': 'The most that the axis turns in a millimetre of feed.',
   'help.strategy.turn_across_deg_per_mm': 'The most that it differs between passes a millimetre apart.',
