@@ -1,4 +1,4 @@
-//! The WebAssembly module and its JavaScript.
+//! The WebAssembly modules and their JavaScript.
 
 use crate::page;
 use crate::shell::{self, root};
@@ -15,17 +15,38 @@ pub fn folder() -> PathBuf {
     root().join("www/wasm")
 }
 
-/// Compiles the library for the browser and writes `www/wasm/stepover{.js,.d.ts,_bg.wasm}`.
+/// What the page loads at once or when it is needed: the library with what the named feature offers.
+struct Module {
+    /// Of its files: `NAME.js`, `NAME.d.ts`, `NAME_bg.wasm`.
+    name: &'static str,
+    /// The only one it is compiled with.
+    feature: &'static str,
+}
+
+const MODULES: [Module; 1] = [Module { name: "stepover", feature: "milling" }];
+
+/// Compiles the library for the browser, once for each module, and writes them to [`folder`].
 pub fn build() -> Result<()> {
     add_target()?;
-    shell::cargo(["build", "--profile", PROFILE, "--lib", "--package", "stepover", "--target", TARGET])
-        .run()?;
+    fs::create_dir_all(folder())?;
+    MODULES.iter().try_for_each(build_one)
+}
 
-    let bound = shell::target().join("bindgen");
-    let module = bound.join(MODULE);
-    let before = fs::read(&module).ok();
+fn build_one(module: &Module) -> Result<()> {
+    // A folder each: the compiler gives them all the same name.
+    let target = shell::target().join("page").join(module.name);
+    let library = ["build", "--profile", PROFILE, "--lib", "--package", "stepover", "--target", TARGET];
+    let only = ["--no-default-features", "--features", module.feature];
+    let folder_of_its_own = ["--target-dir".into(), target.display().to_string()];
+    let args = library.into_iter().chain(only).map(String::from).chain(folder_of_its_own);
+    shell::cargo(args).run()?;
+
+    let bound = target.join("bindgen");
+    let code = format!("{}_bg.wasm", module.name);
+    let before = fs::read(bound.join(&code)).ok();
     Bindgen::new()
-        .input_path(built("stepover"))
+        .input_path(target.join(TARGET).join(PROFILE).join("stepover.wasm"))
+        .out_name(module.name)
         .web(true)?
         // The command's default and the library's differ; with `true` an `init()` without arguments throws.
         .omit_default_module_path(false)
@@ -34,30 +55,28 @@ pub fn build() -> Result<()> {
         .remove_producers_section(true)
         .generate(&bound)
         .context("making the module's JavaScript")?;
-    fs::create_dir_all(folder())?;
-    for name in ["stepover.js", "stepover.d.ts", "stepover_bg.wasm.d.ts"] {
-        fs::copy(bound.join(name), folder().join(name)).with_context(|| format!("copying {name}"))?;
+    for end in [".js", ".d.ts", "_bg.wasm.d.ts"] {
+        let name = format!("{}{end}", module.name);
+        fs::copy(bound.join(&name), folder().join(&name)).with_context(|| format!("copying {name}"))?;
     }
-    let small = folder().join(MODULE);
-    if small.exists() && before == Some(fs::read(&module)?) {
+    let small = folder().join(&code);
+    if small.exists() && before == Some(fs::read(bound.join(&code))?) {
         return Ok(());
     }
     // Whatever interrupts this must not leave the module of another build.
     if small.exists() {
         fs::remove_file(&small)?;
     }
-    shrink(&module, &small)
+    shrink(&bound.join(&code), &small)
 }
 
-/// What the module is compiled as; see `Cargo.toml`.
+/// What the modules are compiled as; see `Cargo.toml`.
 pub const PROFILE: &str = "page";
 
 /// Where the compiler puts the module of the package `name`.
 pub fn built(name: &str) -> PathBuf {
     shell::target().join(TARGET).join(PROFILE).join(name).with_extension("wasm")
 }
-
-const MODULE: &str = "stepover_bg.wasm";
 
 /// Writes the module `from` to `to` without what is said twice. `-O1`: higher levels take three times as long for a
 /// thousandth of the size; the passes after it take a moment for three thousandths.
