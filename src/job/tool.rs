@@ -98,6 +98,7 @@ impl StrategySpec {
             most_lead: most_lead_deg.to_radians(),
             most_yaw: most_yaw_deg.to_radians(),
             most_turn: [turn_along_deg_per_mm, turn_across_deg_per_mm].map(|turn| turn.to_radians()),
+            ..Limits::default()
         };
         Ok(Some(by(limits)))
     }

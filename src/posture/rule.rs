@@ -33,6 +33,10 @@ pub struct Limits {
     /// contact frame by what that frame's own turn leaves, or by a tenth of the limit where it leaves less; across the feed
     /// in the contact frame.
     pub most_turn: [f64; 2],
+    /// Share of the cusps' height for whose strips yaws are chosen, above 0 and up to 1: near where curvatures match, a
+    /// strip's profile rises, falls and rises again, and what only just stays below the limit breaks off at half the width
+    /// beside it. See [`Rule::versions`].
+    pub height: f64,
 }
 
 /// Degrees as radians, where functions are constant.
@@ -47,6 +51,7 @@ impl Default for Limits {
             most_lead: 45.0 * DEGREE,
             most_yaw: 30.0 * DEGREE,
             most_turn: [4.0 * DEGREE, 8.0 * DEGREE],
+            height: 1.0,
         }
     }
 }
@@ -55,7 +60,21 @@ impl Default for Limits {
 /// for rounding.
 const LIFTED: f64 = 0.97;
 
+/// Shares of the cusps' height that are tried. On a twisted blade passes came out a sixth shorter with the second, on a toric
+/// lens twice as long.
+const HEIGHTS: [f64; 2] = [1.0, 0.7];
+
 impl Rule {
+    /// The rule as it is, or in each way of which no formula tells which makes passes shorter.
+    pub fn versions(&self) -> Vec<Self> {
+        match *self {
+            Self::Widest(limits) => {
+                HEIGHTS.map(|share| Self::Widest(Limits { height: share * limits.height, ..limits })).to_vec()
+            }
+            rule => vec![rule],
+        }
+    }
+
     /// The limits of a rule that chooses; the rule of matching keeps yaw 0.
     pub(super) fn limits(&self) -> Result<Limits, Posture> {
         match *self {

@@ -25,7 +25,7 @@ struct Costs(Vec<Option<[f64; YAWS]>>);
 
 /// The yaws at the nodes of `fine` that make the passes shortest.
 ///
-/// They minimise `∬ (1/w) (1 + (R ω′)²/2) dA`, with `w` the exact strip's width at the least lead at which the cutter does not
+/// They minimise `∬ (1/w) (1 + (R ω′)²/2) dA`, with `w` the exact strip's width, for a part of the cusps' height, at the least lead at which the cutter does not
 /// dig in beside its contact, and `R` the cutter's radius: a yaw that changes swings the disc about its contact, which then
 /// moves askew by about `R ω′` per unit of feed. Found from the best single yaw by Newton's method, node by node and round
 /// by round.
@@ -84,10 +84,11 @@ pub(super) fn yaws(
 /// The costs at `node` for the yaws of `axis`; nothing where no strip lies wholly on the face.
 fn costs(ground: &Ground, limits: &Limits, node: &Node, axis: &Axis) -> Option<[f64; YAWS]> {
     let mut costs = [f64::NAN; YAWS];
+    let low = Ground { scallop: limits.height * ground.scallop, ..*ground };
     for (k, cost) in costs.iter_mut().enumerate() {
         let yaw = axis.node(k);
         let Some(lead) = least_local(ground, ground.cutter, node, yaw, limits) else { continue };
-        *cost = 0.5 / half_width(ground, node, Posture { lead, yaw }, 0.0)?;
+        *cost = 0.5 / half_width(&low, node, Posture { lead, yaw }, 0.0)?;
     }
     let most = costs.iter().copied().filter(|c| c.is_finite()).fold(0.0, f64::max);
     // What does not fit costs more than whatever does.

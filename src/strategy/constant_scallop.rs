@@ -57,9 +57,6 @@ const PLACE: &str = "Spacing passes";
 const FILL: &str = "Filling gaps";
 /// Levels, in strips, that count as none.
 const ROUNDING: f64 = 1e-9;
-/// How often all passes are laid anew where postures are chosen: those follow the passes' direction, which laying them
-/// changes.
-const MARCHES: u32 = 2;
 /// The lead for which strips are as wide as chosen postures make them, roughly, radians.
 const CHOSEN: f64 = 0.2;
 /// Rounds in which the spacing is measured and mended.
@@ -93,21 +90,14 @@ pub fn constant_scallop(
         return even.map(|(even, _)| even).ok_or_else(too_many);
     }
     let (from, _, column) = seed.clone();
-    let first = |a: f64, b: f64| stage.part(PLACE, 0.2 * a, 0.2 * b);
-    let family = Family::new(face, cutter, &rule, finish, (from, column), order, &first(0.0, 0.15))?;
-    let (plain, plain_is_whole) = family.plan(&first(0.15, 1.0))?;
-    let most = length(&plain);
+    let (rule, (plain, plain_is_whole)) =
+        Family::shortest(face, cutter, &rule, finish, (from, column), order, &stage.part(PLACE, 0.0, 0.2))?;
+    let most = plain.length();
     let rest = stage.part(SOLVE, 0.2, 1.0);
     let even = offset_passes((face, cutter), &seed, &rule, finish, order, most, &rest)?;
     let is_better =
-        |(even, is_whole): &(Planned, bool)| (*is_whole || !plain_is_whole) && length(even) <= most;
+        |(even, is_whole): &(Planned, bool)| (*is_whole || !plain_is_whole) && even.length() <= most;
     Ok(even.filter(is_better).map_or(plain, |(even, _)| even))
-}
-
-/// Length of the way of the cutter's tip along the passes, mm.
-fn length(planned: &Planned) -> f64 {
-    let ways = planned.passes.iter().flat_map(|pass| pass.stations.windows(2));
-    ways.map(|w| w[0].cl.tip.distance(w[1].cl.tip)).sum()
 }
 
 /// The passes, and whether they leave nothing; none where they come out longer than `most` (mm).
@@ -141,18 +131,9 @@ fn offset_passes(
     setup.choose(rule, order, &stage.part(TILT, 0.5, 0.52))?;
     let values = offset.values(&setup.field);
     let is_border = values.iter().copied().fold(f64::INFINITY, f64::min) >= -ROUNDING;
-    let lay = |setup, values, stage: &Stage| {
-        let family = Family::on_grid(setup, order, offset.grid.clone());
-        March::new(family, &offset, values).laid(is_border, stage)
-    };
-    let (mut family, mut placed, mut values) = lay(setup, values, &stage.part(PLACE, 0.52, 0.58))?;
-    let again = if matches!(rule, Rule::Fixed(_)) { 0 } else { MARCHES };
-    for march in 0..again {
-        let at = |t: f64| 0.58 + 0.12 * (f64::from(march) + t) / f64::from(again);
-        let mut setup = family.setup;
-        setup.choose(rule, order, &stage.part(TILT, at(0.0), at(0.3)))?;
-        (family, placed, values) = lay(setup, values, &stage.part(PLACE, at(0.3), at(1.0)))?;
-    }
+    let family = Family::on_grid(setup, order, offset.grid.clone());
+    let (family, placed) =
+        March::new(family, &offset, values).laid(is_border, &stage.part(PLACE, 0.52, 0.7))?;
     let tracks = fill::tracks(&family, placed, &stage.part(FILL, 0.7, 0.75))?;
     let lines = tracks.iter().flat_map(|track| &track.lines);
     if lines.map(|line| line.length(face)).sum::<f64>() > most {

@@ -1,6 +1,8 @@
 //! Passes along the level lines of a field, each as far from the last as its strips allow.
 
 use super::fill;
+use super::glean;
+use super::placing::too_many;
 use super::probe::{Probe, Reach, Setup};
 use super::spacing::{Front, Toward};
 use super::{Finish, Order, Planned, StrategyError};
@@ -107,17 +109,49 @@ impl<'a> Family<'a> {
         order: Order,
         stage: &Stage,
     ) -> Result<Planned, StrategyError> {
-        let choosing = if matches!(rule, Rule::Fixed(_)) { 0.0 } else { 0.15 };
-        let first = stage.part("Choosing postures", 0.0, choosing);
-        let family = Self::new(face, cutter, rule, finish, fields, order, &first)?;
-        Ok(family.plan(&stage.part("Spacing passes", choosing, 1.0))?.0)
+        Ok(Self::shortest(face, cutter, rule, finish, fields, order, stage)?.1.0)
     }
 
-    /// The passes, from the lowest level to the highest, and whether they leave nothing.
-    pub(super) fn plan(&self, stage: &Stage) -> Result<(Planned, bool), StrategyError> {
-        let candidates = self.place(&stage.part("Spacing passes", 0.0, 0.6))?;
-        let tracks = fill::tracks(self, candidates, &stage.part("Filling gaps", 0.6, 0.7))?;
-        self.followed(tracks, &[], &stage.part("Following the surface", 0.7, 1.0))
+    /// Of the [`Rule::versions`] the one whose passes are shortest, with these, and whether they leave nothing.
+    pub(super) fn shortest(
+        face: &'a Face,
+        cutter: &'a Cutter,
+        rule: &Rule,
+        finish: Finish,
+        fields: (Field, Field),
+        order: Order,
+        stage: &Stage,
+    ) -> Result<(Rule, (Planned, bool)), StrategyError> {
+        let choosing = if matches!(rule, Rule::Fixed(_)) { 0.0 } else { 0.15 };
+        let versions = rule.versions();
+        let mut best: Option<(Rule, (Planned, bool))> = None;
+        for (k, &version) in versions.iter().enumerate() {
+            let part = |name, a: f64, b: f64| {
+                let at = |t: f64| (k as f64 + t) / versions.len() as f64;
+                stage.part(name, at(a), at(b))
+            };
+            let first = part("Choosing postures", 0.0, choosing);
+            let family = Self::new(face, cutter, &version, finish, fields.clone(), order, &first)?;
+            let placed = family.place(&part("Spacing passes", choosing, 0.6))?;
+            let tracks = fill::tracks(&family, placed, &part("Filling gaps", 0.6, 0.7))?;
+            // Passes run out beyond their lines: where these are longer already, nothing more is asked.
+            if best.as_ref().is_some_and(|(_, (least, _))| family.length(&tracks) >= least.length()) {
+                continue;
+            }
+            let planned = family.followed(tracks, &[], &part("Following the surface", 0.7, 1.0))?;
+            let is_better = |(_, (least, is_whole)): &(Rule, (Planned, bool))| {
+                planned.0.length() < least.length() && (planned.1 || !is_whole)
+            };
+            if best.as_ref().is_none_or(is_better) {
+                best = Some((version, planned));
+            }
+        }
+        best.ok_or_else(too_many)
+    }
+
+    /// How long the lines of `tracks` are, mm.
+    fn length(&self, tracks: &[Candidate]) -> f64 {
+        tracks.iter().flat_map(|track| &track.lines).map(|line| line.length(self.setup.face)).sum()
     }
 
     /// The passes on `tracks`, and short ones where they leave more than the limit at places all over the face and at
@@ -135,11 +169,12 @@ impl<'a> Family<'a> {
         }
         let unreached =
             unreached::zone(&self.setup, &tracks, &stage.part("Mapping what is unreachable", 0.5, 0.65))?;
+        let ridges = glean::ridges(&tracks);
         let mut is_whole = false;
         for round in 0..=GLEANINGS {
             let at = |t: f64| 0.65 + 0.35 * (round as f64 + t) / (GLEANINGS + 1) as f64;
             let looking = stage.part("Filling gaps", at(0.0), at(0.8));
-            let left = self.left(passes.iter().flatten(), others, &unreached, &looking)?;
+            let left = self.left(passes.iter().flatten(), (others, &ridges), &unreached, &looking)?;
             is_whole = left.is_empty();
             if is_whole || round == GLEANINGS {
                 break;
@@ -156,7 +191,8 @@ impl<'a> Family<'a> {
     }
 
     pub(super) fn front(&self, candidate: &Candidate, toward: Toward) -> Front {
-        let beyond: Vec<[f64; 2]> = candidate.lines.iter().map(|line| self.setup.run_outs(line)).collect();
+        let beyond: Vec<[f64; 2]> =
+            candidate.lines.iter().map(|line| self.setup.run_outs(line, candidate.reversed)).collect();
         let front = Front::new(&candidate.probes, &beyond, toward, self.column_period);
         if matches!(self.setup.field, Field::Given(_)) {
             front.bending(toward, self.setup.strip)
@@ -219,8 +255,12 @@ impl<'a> Family<'a> {
             return line.clone();
         }
         let Some((whole, at)) = found() else { return line.clone() };
-        let mut way = [nodes[0], nodes[last]].map(|uv| self.setup.overlap(uv, reversed));
         let point = |uv: Uv| self.setup.face.surface.point(uv);
+        let along = point(nodes[last]) - point(nodes[last - 1]);
+        let forwards =
+            self.setup.frame(nodes[last], reversed).is_some_and(|(_, frame)| frame.f.dot(along) > 0.0);
+        let ways = |uv| self.setup.ways_across(uv, reversed, 0.0);
+        let mut way = [ways(nodes[0])[usize::from(!forwards)], ways(nodes[last])[usize::from(forwards)]];
         let (mut first, mut end) = (at, at + last);
         while first > 0 && way[0] > 0.0 {
             way[0] -= point(whole.nodes[first]).distance(point(whole.nodes[first - 1]));

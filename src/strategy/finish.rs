@@ -38,6 +38,14 @@ pub struct Planned {
     pub largest_fit: Option<f64>,
 }
 
+impl Planned {
+    /// Length of the way of the cutter's tip along the passes, mm.
+    pub(super) fn length(&self) -> f64 {
+        let ways = self.passes.iter().flat_map(|pass| pass.stations.windows(2));
+        ways.map(|w| w[0].cl.tip.distance(w[1].cl.tip)).sum()
+    }
+}
+
 /// Why there is no path.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum StrategyError {

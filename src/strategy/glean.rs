@@ -3,7 +3,8 @@
 
 use super::family::{Candidate, Family};
 use super::left::Moves;
-use super::probe::Probe;
+use super::probe::{Probe, Reach};
+use super::spacing::Toward;
 use crate::geometry::{IsoLine, Uv, Zone};
 use crate::monitor::{Cancelled, Stage};
 use crate::toolpath::Pass;
@@ -17,6 +18,11 @@ const FINER: usize = 4;
 const ALONG: usize = 24;
 const CLOSE: f64 = 0.6;
 const CLOSER: usize = 8;
+/// The share of the limit that the very ridges of cusps may reach, which strips that meet edge to edge leave at the limit: 1.00
+/// of it, as far as that is written.
+const ON_RIDGE: f64 = 1.004;
+/// Places looked at between the edges of the strips at neighbouring probes.
+const RIDGE: usize = 4;
 /// Where normals across a cell have a lower cosine than this (11°), it bends much.
 const BENT: f64 = 0.98;
 /// Places nearer to each other than this belong together, in strips.
@@ -32,11 +38,12 @@ const ASIDE: [f64; 7] = [0.0, 0.1, -0.1, 0.2, -0.2, 0.35, -0.35];
 const PASSED: f64 = 0.5;
 
 impl Family<'_> {
-    /// The places all over the face, and those of `others`, where `passes` leave more than the limit, outside of `beyond`.
+    /// The places all over the face, and those of `others` and on `ridges`, where `passes` leave more than the limit, outside of
+    /// `beyond`.
     pub(super) fn left<'p>(
         &self,
         passes: impl Iterator<Item = &'p Pass>,
-        others: &[Uv],
+        (others, ridges): (&[Uv], &[Uv]),
         beyond: &Zone,
         stage: &Stage,
     ) -> Result<Vec<Uv>, Cancelled> {
@@ -50,12 +57,16 @@ impl Family<'_> {
         places.extend(close.flat_map(|(&[a, b], _)| (0..=CLOSER).map(move |k| between(a, b, k, CLOSER))));
         // A posture that is chosen may need a little more lead just here, which its pass then takes.
         let is_chosen = !self.setup.postures.is_fixed();
-        let is_left = |uv: Uv| {
+        let is_left = |uv: Uv, limit: f64| {
             !beyond.contains(self.setup.face.surface.point(uv))
                 && moves.leave(uv, limit)
                 && (is_chosen || self.setup.probe(uv, false) != Probe::Blocked)
         };
-        let left = stage.map(places.len(), |k| is_left(places[k]))?;
+        let first_ridge = places.len();
+        places.extend(ridges);
+        let left = stage.map(places.len(), |k| {
+            is_left(places[k], if k < first_ridge { limit } else { ON_RIDGE * limit })
+        })?;
         Ok(places.iter().zip(left).filter(|(_, left)| *left).map(|(&uv, _)| uv).collect())
     }
 
@@ -206,6 +217,25 @@ impl Family<'_> {
         }
         pieces
     }
+}
+
+/// Places along the edges of the strips on `tracks`, where cusps are highest, closer together than what was probed.
+pub(super) fn ridges(tracks: &[Candidate]) -> Vec<Uv> {
+    let edge = |probe: &Probe, toward| match probe.reach(toward) {
+        Some(Reach::To { uv, .. }) => Some(uv),
+        _ => None,
+    };
+    let mut ridges = Vec::new();
+    for probes in tracks.iter().flat_map(|track| &track.probes) {
+        for toward in [Toward::Higher, Toward::Lower] {
+            for w in probes.windows(2) {
+                if let (Some(a), Some(b)) = (edge(&w[0], toward), edge(&w[1], toward)) {
+                    ridges.extend((0..RIDGE).map(|k| between(a, b, k, RIDGE)));
+                }
+            }
+        }
+    }
+    ridges
 }
 
 /// The place `k` of `count` equal steps from `a` to `b`.

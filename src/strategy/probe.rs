@@ -192,25 +192,6 @@ impl Setup<'_> {
         }
     }
 
-    /// How far the edges of the strip at `uv` lie behind its contact or ahead of it, mm, and a little more.
-    pub(super) fn overlap(&self, uv: Uv, reversed: bool) -> f64 {
-        0.6 * self.breadth(uv, reversed) * self.strip_lean(uv, reversed)
-    }
-
-    /// How far the strip at `uv` lies aslant: what its edges are ahead of the contact or behind it, as a share of what they are
-    /// beside it, the larger of the two; 0 where the cutter cannot go.
-    pub(super) fn strip_lean(&self, uv: Uv, reversed: bool) -> f64 {
-        let (Some(strip), Some((jet, frame))) = (self.strip(uv, reversed), self.frame(uv, reversed)) else {
-            return 0.0;
-        };
-        let lean = |edge: Edge| match edge {
-            Edge::Reached(foot) | Edge::Border(foot) => self.lean(&frame, jet.p, foot),
-            Edge::Gouge(_) => 0.0,
-        };
-        // A border right at the contact gives no direction.
-        [lean(strip.left), lean(strip.right)].into_iter().filter(|l| l.is_finite()).fold(0.0, f64::max)
-    }
-
     /// What the cutter does at `uv`.
     pub(super) fn probe(&self, uv: Uv, reversed: bool) -> Probe {
         let Some(strip) = self.strip(uv, reversed) else { return Probe::Blocked };

@@ -2,7 +2,7 @@
 
 use super::probe::{GOUGE, Setup};
 use crate::contact::contact_of;
-use crate::geometry::{Curvature, IsoLine, Range, Uv};
+use crate::geometry::{Curvature, IsoLine, Uv};
 use crate::math::frame::Frame;
 use crate::toolpath::{CcPoint, ClPoint, Pass, Station, Work};
 use glam::DVec3;
@@ -210,25 +210,9 @@ impl Walker<'_> {
     /// line as it would go on with the curvature that it ends with. None where the line does not end on a border, or the
     /// cutter would dig in.
     fn run_out(&self, uv: Uv, end: &Station, toward: f64) -> Vec<Station> {
-        let domain = self.setup.face.domain();
-        let jet = self.setup.face.jet(uv);
-        let on = |range: &Range, x: f64| {
-            !range.periodic && (x - range.lo).min(range.hi - x) < 1e-6 * range.length()
-        };
-        let border = if on(&domain.u, uv.u) {
-            jet.dv
-        } else if on(&domain.v, uv.v) {
-            jet.du
-        } else {
-            return Vec::new();
-        };
-        let frame = end.cc.frame;
-        // The border leans by the first, the strip by the second; where either is extreme, going all the way would cost
-        // more than it finishes.
-        let border_lean = (border.dot(frame.f) / border.dot(frame.b)).abs();
-        let strip_lean = self.setup.strip_lean(uv, self.reversed);
-        let lean = [border_lean, strip_lean].map(|l| if l < 6.0 { l } else { 0.0 });
-        let way = self.setup.breadth(uv, self.reversed) * (0.15 + 0.6 * (lean[0] + lean[1]));
+        let Some(ways) = self.setup.run_out_ways(uv, self.reversed) else { return Vec::new() };
+        let way = ways[usize::from(toward > 0.0)];
+        let (jet, frame) = (self.setup.face.jet(uv), end.cc.frame);
         let Some(k) = Curvature::of(&jet, &frame) else { return Vec::new() };
         let [bend, twist] = [k.ff, k.fb].map(|k| k.clamp(-MOST_RUN_OUT_TURN / way, MOST_RUN_OUT_TURN / way));
         // As many moves as the chord of that curvature and the turn of the axis ask for.

@@ -7,7 +7,7 @@ use crate::monitor::{Cancelled, Stage};
 use crate::strategy::StrategyError;
 use crate::strategy::family::{Candidate, Detail, Family};
 use crate::strategy::placing::{MOST_PASSES, too_many};
-use crate::strategy::probe::Reach;
+use crate::strategy::probe::{Probe, Reach};
 use crate::strategy::spacing::Toward;
 use glam::DVec3;
 use std::sync::Arc;
@@ -34,9 +34,9 @@ const BESIDE: f64 = 0.485;
 /// The least step of whole passes, in strips; beyond that partial passes fill in.
 const LEAST: f64 = 0.2;
 /// How often a pass that leaves something open is moved back as a whole.
-const SETTLINGS: usize = 4;
-/// What partial passes cost, as a share of a whole pass: to begin with, and for the share of columns they are for, beside
-/// which they run on a little.
+const SETTLINGS: usize = 12;
+/// What partial passes cost, as a share of a whole pass: at least, to begin with, and for the share of columns they are for,
+/// beside which they run on a little.
 const PARTIAL: f64 = 0.05;
 const LENGTH: f64 = 1.5;
 
@@ -60,7 +60,7 @@ impl<'a, 'b> March<'a, 'b> {
         Self { family, offset, values }
     }
 
-    /// The family, its passes in the order of their levels, and its values.
+    /// The family, and its passes in the order of their levels.
     ///
     /// From a border the first pass is a half strip inside it; from any other start curve it runs along that; and where
     /// fronts run round the face and meet again, beside it.
@@ -68,7 +68,7 @@ impl<'a, 'b> March<'a, 'b> {
         mut self,
         is_border: bool,
         stage: &Stage,
-    ) -> Result<(Family<'a>, Vec<Candidate>, Vec<f64>), StrategyError> {
+    ) -> Result<(Family<'a>, Vec<Candidate>), StrategyError> {
         let first = if self.offset.is_round {
             self.family.candidate(BESIDE, 0, Detail::Full, &stage.quiet())?
         } else if is_border {
@@ -90,7 +90,7 @@ impl<'a, 'b> March<'a, 'b> {
             .enumerate()
             .map(|(i, &level)| self.family.candidate(level, index(i), Detail::Full, &stage.quiet()));
         let placed = placed.collect::<Result<_, _>>()?;
-        Ok((self.family, placed, self.values))
+        Ok((self.family, placed))
     }
 
     /// The levels of the passes after `first` towards one side.
@@ -213,6 +213,23 @@ impl<'a, 'b> March<'a, 'b> {
         self.family.set_table(Field::Given(Arc::new(table)), &self.values);
     }
 
+    /// What a partial pass costs beside the length it is for, as a share of the pass `whole`: it runs on at both ends by
+    /// about a strip.
+    fn overhead(&self, whole: &Candidate) -> f64 {
+        let edge = |probe: &Probe, toward| match probe.reach(toward) {
+            Some(Reach::To { point, .. }) => Some(point),
+            _ => None,
+        };
+        let strip = |probe: &Probe| Some(edge(probe, Toward::Higher)?.distance(edge(probe, Toward::Lower)?));
+        let strips: Vec<f64> = whole.probes.iter().flatten().filter_map(strip).collect();
+        let length: f64 = whole.lines.iter().map(|line| line.length(self.family.setup.face)).sum();
+        if strips.is_empty() {
+            0.0
+        } else {
+            2.0 * strips.iter().sum::<f64>() / (strips.len() as f64 * length)
+        }
+    }
+
     /// `next` as far out as leaves nothing open, or little enough for partial passes.
     fn settled(
         &self,
@@ -227,6 +244,7 @@ impl<'a, 'b> March<'a, 'b> {
             Toward::Lower => (-1.0, Toward::Higher),
         };
         let front = self.family.front(&self.family.relevelled(last), toward);
+        let overhead = PARTIAL.max(self.overhead(&next));
         for _ in 0..SETTLINGS {
             let gaps = front.gaps(&self.family.front(&next, back)).sorted(sign);
             let Some(&most) = gaps.last() else { return Ok(next) };
@@ -238,7 +256,7 @@ impl<'a, 'b> March<'a, 'b> {
             let mut least = most;
             for (i, &gap) in gaps.iter().enumerate() {
                 let open = (gaps.len() - 1 - i) as f64 / count;
-                let partial = if open > 0.0 { PARTIAL + LENGTH * open } else { 0.0 };
+                let partial = if open > 0.0 { overhead + LENGTH * open } else { 0.0 };
                 let cost = gap.max(-MARGIN) + partial;
                 if cost < least {
                     (least, best) = (cost, (gap, open));
