@@ -22,14 +22,16 @@
 //! ```text
 //! math ─► geometry ─► import ─────────────────────────────┐
 //!   ├───► cutter ──┬► contact ─► posture ─► strategy ─────┤
-//!   └───► toolpath ┼► verify ─────────────────────────────┼► job ─► wasm, cli
+//!   └───► toolpath ┼► turning ────────────────────────────┼► job ─► wasm, cli
+//!                  ├► verify ─────────────────────────────┤
 //!                  └► post (text out, text in) ───────────┘
 //! geometry also ─► contact, verify; toolpath also ─► contact, posture, strategy; monitor ─► all
 //! ```
 //!
 //! Read in this order: [`toolpath`] for the vocabulary, [`geometry`] for what a surface is, [`contact`] for
 //! the strip that one contact point finishes, [`posture`] for how the cutter leans there, [`strategy`] for how
-//! strips become passes, [`verify`] for the proof, [`job`] for how a specification becomes a result.
+//! strips become passes, [`verify`] for the proof, [`job`] for how a specification becomes a result. [`turning`] stands
+//! beside [`strategy`]: optics on a lathe whose spindle is a servo axis, from a sag to axis motions.
 
 #[cfg(not(target_arch = "wasm32"))]
 pub mod cli;
@@ -44,6 +46,7 @@ pub mod post;
 pub mod posture;
 pub mod strategy;
 pub mod toolpath;
+pub mod turning;
 pub mod verify;
 #[cfg(target_arch = "wasm32")]
 pub mod wasm;

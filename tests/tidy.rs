@@ -14,13 +14,14 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("contact", &["math", "geometry", "cutter", "toolpath"]),
     ("posture", &["math", "geometry", "cutter", "toolpath", "contact"]),
     ("strategy", &["math", "geometry", "cutter", "toolpath", "contact", "posture"]),
+    ("turning", &["math", "toolpath"]),
     ("verify", &["math", "geometry", "cutter", "toolpath"]),
     ("post", &["math", "cutter", "toolpath"]),
     (
         "job",
         &[
             "math", "geometry", "cutter", "toolpath", "import", "contact", "posture", "strategy", "verify",
-            "post",
+            "post", "turning",
         ],
     ),
     ("wasm", &["job", "toolpath"]),

@@ -65,6 +65,11 @@ pub enum WriteError {
     /// The path holds no move.
     #[error("the toolpath has no moves: plan at least one pass")]
     Empty,
+    /// Straight moves were asked for a path that is cubic in time.
+    #[error(
+        "the path is cubic in time, which straight moves are not: write it as position, velocity and time"
+    )]
+    Cubic,
     /// A coordinate or feed is not a number that a machine can go to.
     #[error("move {index}: every coordinate must be finite and every feed above 0 mm/min")]
     NotFinite {

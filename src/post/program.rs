@@ -43,8 +43,13 @@ pub struct Program {
 impl Program {
     /// The part's name as one line of printable text without the signs that end a statement or a comment.
     pub(super) fn part_line(&self) -> String {
-        let plain = |c: char| if c.is_control() || "$()%;".contains(c) { ' ' } else { c };
-        let words = self.part.chars().map(plain).collect::<String>();
-        words.split_whitespace().collect::<Vec<_>>().join(" ")
+        plain_line(&self.part)
     }
+}
+
+/// `text` as one line of printable text without the signs that end a statement or a comment.
+pub(super) fn plain_line(text: &str) -> String {
+    let plain = |c: char| if c.is_control() || "$()%;".contains(c) { ' ' } else { c };
+    let words = text.chars().map(plain).collect::<String>();
+    words.split_whitespace().collect::<Vec<_>>().join(" ")
 }

@@ -2,6 +2,8 @@
 
 mod path;
 mod station;
+mod turning;
 
 pub use path::{Move, Rate, Role, Toolpath};
 pub use station::{Bound, CcPoint, ClPoint, Pass, Posture, Station, Touch, Work};
+pub use turning::{AxisPoint, Interpolation, Nose, TurningPath};

@@ -21,9 +21,13 @@ mod refine;
 mod samples;
 mod statistics;
 mod sweeps;
+mod turning;
 mod verification;
 
 pub use body::Body;
 pub use samples::{Grid, Sample, SampleError, Samples};
 pub use statistics::{Extreme, Statistics};
+pub use turning::{
+    Band, Form, Residue, Sagitta, Surface, TurnedError, TurnedOptions, TurnedPart, TurnedProof, verify_turned,
+};
 pub use verification::{Options, Refined, Verification, VerifyError, verify};

@@ -1,0 +1,195 @@
+//! What a ball leaves.
+
+use super::curve::Move;
+use super::ray::{Ray, Sweep, Target};
+use crate::math::bvh::{Aabb, Bvh};
+use crate::toolpath::TurningPath;
+use glam::DVec3;
+
+/// Moves in a leaf.
+const LEAF: usize = 3;
+
+/// A ball along a path: its moves, in a tree of boxes with a plane under the centres of each.
+pub(super) struct BallSweep {
+    radius: f64,
+    /// What is left higher than this counts as uncut, mm.
+    search: f64,
+    moves: Vec<Move>,
+    tree: Bvh,
+    planes: Vec<Plane>,
+}
+
+/// A plane below which no nose centre of a node lies.
+#[derive(Debug, Clone, Copy)]
+struct Plane {
+    /// Unit normal, pointing up.
+    normal: DVec3,
+    /// Of the plane along its normal.
+    height: f64,
+    /// A ball around all centres of the node.
+    middle: DVec3,
+    around: f64,
+}
+
+/// Sums over points, from which a plane is fitted: Σ1, Σx, Σy, Σz, Σxx, Σxy, Σyy, Σxz, Σyz.
+type Moments = [f64; 9];
+
+impl BallSweep {
+    pub(super) fn new(path: &TurningPath, radius: f64, search: f64) -> Self {
+        let moves: Vec<Move> =
+            path.points.windows(2).map(|p| Move::new(&p[0], &p[1], path.interpolation)).collect();
+        let ends = |m: &Move| [m.place(0.0)[0], m.place(1.0)[0]].map(DVec3::from_array);
+        let all: Vec<[DVec3; 2]> = moves.iter().map(ends).collect();
+        let bulges: Vec<f64> = moves.iter().map(Move::bulge).collect();
+        let boxes: Vec<Aabb> = all.iter().map(|e| Aabb::around(*e)).collect();
+        let tree = Bvh::new(&boxes, LEAF);
+        let planes = planes(&tree, &all, &bulges);
+        Self { radius, search, moves, tree, planes }
+    }
+
+    /// The residue over `p` along the unit vector `n`.
+    fn residue(&self, p: DVec3, n: DVec3) -> f64 {
+        let r = self.radius;
+        // Where the centre would be if the ball just touched at p.
+        let q = p + r * n;
+        let bound = |node: usize| -self.planes[node].least(q, n, r);
+        let leaf = |places: std::ops::Range<usize>, best: f64| {
+            self.tree.order()[places].iter().fold(best, |best, &i| best.max(-self.closest(i as usize, q, n)))
+        };
+        let best = -self.tree.highest(-self.search, bound, leaf);
+        if best < self.search { best } else { f64::INFINITY }
+    }
+
+    /// The least residue that the move `i` leaves.
+    fn closest(&self, i: usize, q: DVec3, n: DVec3) -> f64 {
+        let motion = &self.moves[i];
+        let r = self.radius;
+        let [a, b] = [motion.place(0.0)[0], motion.place(1.0)[0]].map(DVec3::from_array);
+        let along = b - a;
+        let length = along.length_squared();
+        let mut u = if length > 0.0 { ((q - a).dot(along) / length).clamp(0.0, 1.0) } else { 0.0 };
+        // Residue h = d·n + r − √(r² − t²), with d = c − q and t its part square to n.
+        let at = |u: f64| {
+            let [c, c1, c2] = motion.place(u).map(DVec3::from_array);
+            let d = c - q;
+            let (dn, vn, an) = (d.dot(n), c1.dot(n), c2.dot(n));
+            let under = r * r - (d.length_squared() - dn * dn);
+            if under <= 0.0 {
+                return None;
+            }
+            let root = under.sqrt();
+            let first = d.dot(c1) - dn * vn;
+            let second = c1.length_squared() + d.dot(c2) - vn * vn - dn * an;
+            let h2 = an + second / root + first * first / (root * root * root);
+            Some([dn + r - root, vn + first / root, h2])
+        };
+        let mut least = f64::INFINITY;
+        // The residue is nearly a parabola in u: Newton from the foot on the chord is done in two or three steps.
+        for _ in 0..8 {
+            let Some([h, h1, h2]) = at(u) else { break };
+            least = least.min(h);
+            let next = if h2 > 0.0 {
+                (u - h1 / h2).clamp(0.0, 1.0)
+            } else if h1 > 0.0 {
+                0.0
+            } else {
+                1.0
+            };
+            // What is still to be gained is half of slope times step.
+            if ((next - u) * h1).abs() < 1e-10 {
+                break;
+            }
+            u = next;
+        }
+        least
+    }
+}
+
+impl Sweep for BallSweep {
+    fn residues(&self, ray: &Ray, targets: &[Target]) -> Vec<f64> {
+        targets
+            .iter()
+            .map(|t| {
+                let p = DVec3::new(t.rho * ray.cos, t.rho * ray.sin, t.z);
+                self.residue(p, DVec3::from_array(t.normal))
+            })
+            .collect()
+    }
+}
+
+impl Plane {
+    /// No residue of a centre under this node is below this. `q` is where the centre would be if the ball touched, `n` the
+    /// normal there.
+    fn least(&self, q: DVec3, n: DVec3, r: f64) -> f64 {
+        let to = self.middle - q;
+        let along = to.dot(n);
+        let aside = (to.length_squared() - along * along).max(0.0).sqrt();
+        // d·n for all d in the ball, and for all above the plane; both hold.
+        let in_ball = along - self.around;
+        let (cos, far) = (n.dot(self.normal), to.length() + self.around);
+        let sin = (1.0 - cos * cos).max(0.0).sqrt();
+        let above = cos * (self.height - q.dot(self.normal)) - sin * far;
+        let near = (aside - self.around).max(0.0);
+        if near >= r {
+            return f64::INFINITY;
+        }
+        in_ball.max(if cos > 0.0 { above } else { f64::NEG_INFINITY }) + near * near / (2.0 * r)
+    }
+}
+
+/// The plane of each node of `tree`.
+fn planes(tree: &Bvh, ends: &[[DVec3; 2]], bulges: &[f64]) -> Vec<Plane> {
+    let count = tree.boxes().len();
+    let mut sums: Vec<Moments> = vec![[0.0; 9]; count];
+    // The places in the tree's order that lie below each node: they are one run.
+    let mut runs = vec![0..0; count];
+    for node in (0..count).rev() {
+        if let Some(places) = tree.leaf(node) {
+            for &i in &tree.order()[places.clone()] {
+                for p in ends[i as usize] {
+                    let more = [1.0, p.x, p.y, p.z, p.x * p.x, p.x * p.y, p.y * p.y, p.x * p.z, p.y * p.z];
+                    for (sum, more) in sums[node].iter_mut().zip(more) {
+                        *sum += more;
+                    }
+                }
+            }
+            runs[node] = places;
+        } else if let Some([a, b]) = tree.children(node) {
+            for k in 0..9 {
+                sums[node][k] = sums[a][k] + sums[b][k];
+            }
+            runs[node] = runs[a].start.min(runs[b].start)..runs[a].end.max(runs[b].end);
+        }
+    }
+    (0..count)
+        .map(|node| {
+            let normal = fitted(&sums[node]);
+            let bounds = &tree.boxes()[node];
+            let middle = 0.5 * (bounds.lo + bounds.hi);
+            let (mut height, mut around): (f64, f64) = (f64::INFINITY, 0.0);
+            for &i in &tree.order()[runs[node].clone()] {
+                let bulge = bulges[i as usize];
+                for p in ends[i as usize] {
+                    height = height.min(p.dot(normal) - bulge);
+                    around = around.max(p.distance(middle) + bulge);
+                }
+            }
+            Plane { normal, height, middle, around }
+        })
+        .collect()
+}
+
+/// The unit normal, pointing up, of the plane `z = a + b x + c y` that fits the points best; upright where they lie in a line.
+fn fitted(&[n, x, y, z, xx, xy, yy, xz, yz]: &Moments) -> DVec3 {
+    if n < 1.0 {
+        return DVec3::Z;
+    }
+    let (sxx, sxy, syy) = (xx - x * x / n, xy - x * y / n, yy - y * y / n);
+    let (sxz, syz) = (xz - x * z / n, yz - y * z / n);
+    let det = sxx * syy - sxy * sxy;
+    if !(det > 1e-9 * (sxx + syy) * (sxx + syy)) {
+        return DVec3::Z;
+    }
+    let (b, c) = ((sxz * syy - syz * sxy) / det, (syz * sxx - sxz * sxy) / det);
+    DVec3::new(-b, -c, 1.0).normalize_or(DVec3::Z)
+}
