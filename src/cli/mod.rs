@@ -6,6 +6,7 @@ mod plan;
 mod progress;
 mod stepover;
 mod strip;
+mod turn;
 
 use crate::job::{self, JobError};
 use clap::{Parser, Subcommand};
@@ -27,6 +28,9 @@ enum Command {
     Plan(plan::Plan),
     /// Prove an APT program against the shape of a specification and print what it leaves, as JSON.
     Verify(plan::Verify),
+    /// Plan optics on a lathe with a servo C axis (X, Z, C), prove it, and write path.nc or path.pvt, path.csv, path.apt,
+    /// report.json and residue.csv; or prove a program that is there already.
+    Turn(turn::Turn),
     /// Print what is inside a file: format, unit, shapes to choose from, warnings.
     Inspect {
         /// The file.
@@ -36,7 +40,11 @@ enum Command {
         json: bool,
     },
     /// Print the settings of a specification with units, ranges and defaults, as JSON.
-    Schema,
+    Schema {
+        /// Those of a turning job.
+        #[arg(long)]
+        turning: bool,
+    },
     /// Print the jobs of the gallery as JSON, each a specification to begin with.
     Gallery,
     /// Print the width of the strip that a cutter finishes at one contact point.
@@ -69,7 +77,9 @@ pub fn run() -> ExitCode {
         Command::Plan(plan) => plan.run(),
         Command::Verify(verify) => verify.run(),
         Command::Inspect { file, json } => inspect(&file, json),
-        Command::Schema => print(&job::schema()),
+        Command::Turn(turn) => turn.run(),
+        Command::Schema { turning: false } => print(&job::schema()),
+        Command::Schema { turning: true } => print(&job::turning::schema()),
         Command::Gallery => print(&job::gallery_json()),
         Command::Strip(strip) => strip.run(),
         Command::Stepover(stepover) => stepover.run(),

@@ -13,7 +13,7 @@ pub struct Field {
 }
 
 impl Field {
-    const fn when(self, choice: &'static str, words: &'static [&'static str]) -> Self {
+    pub(super) const fn when(self, choice: &'static str, words: &'static [&'static str]) -> Self {
         Self { when: Some((choice, words)), ..self }
     }
 }
@@ -45,6 +45,10 @@ pub enum Kind {
     Flag(bool),
     /// Points in space, mm, as a list of `[x, y, z]`; none where the specification says nothing.
     Points,
+    /// A list of numbers; none where the specification says nothing.
+    Numbers,
+    /// A line of text; empty where the specification says nothing.
+    Text,
 }
 
 /// One form of an object with a `kind` key.
@@ -69,11 +73,21 @@ pub struct Group {
     pub fields: &'static [Field],
 }
 
-const fn number(name: &'static str, unit: &'static str, range: [f64; 2], step: f64, default: f64) -> Field {
+pub(super) const fn number(
+    name: &'static str,
+    unit: &'static str,
+    range: [f64; 2],
+    step: f64,
+    default: f64,
+) -> Field {
     Field { name, kind: Kind::Number { unit, min: range[0], max: range[1], step, default }, when: None }
 }
 
-const fn choice(name: &'static str, options: &'static [&'static str], default: &'static str) -> Field {
+pub(super) const fn choice(
+    name: &'static str,
+    options: &'static [&'static str],
+    default: &'static str,
+) -> Field {
     Field { name, kind: Kind::Choice { options, default }, when: None }
 }
 

@@ -2,6 +2,7 @@
 //!
 //! Written as the JSON that a person would write: the page asks for just that, and needs no code to write a [`Spec`].
 
+use super::fields::GROUPS;
 use super::schema;
 use super::spec::{Spec, VERSION};
 use serde_json::{Value, json};
@@ -57,7 +58,7 @@ fn complete(name: &str, source: &str, settings: &str) -> Option<Value> {
     spec.insert("version".into(), VERSION.into());
     spec.insert("name".into(), name.into());
     spec.insert("source".into(), read(source)?);
-    schema::complete(&mut spec).ok()?;
+    schema::complete(&mut spec, GROUPS).ok()?;
     Some(Value::Object(spec))
 }
 

@@ -8,15 +8,15 @@ use super::error::JobError;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
-/// The settings of a specification that are a choice.
-const CHOICES: [&str; 3] = ["source", "cutter", "strategy"];
+/// The settings of a milling job that are a choice.
+pub(super) const CHOICES: [&str; 3] = ["source", "cutter", "strategy"];
 
-/// Puts the settings of each choice into their kind.
+/// Puts the settings of each of `choices` into their kind.
 ///
 /// Errors name a `kind` that is missing or no text.
-pub(super) fn nest(spec: &mut Map<String, Value>) -> Result<(), JobError> {
-    for name in CHOICES {
-        let Some(Value::Object(settings)) = spec.get_mut(name) else { continue };
+pub(super) fn nest(spec: &mut Map<String, Value>, choices: &[&str]) -> Result<(), JobError> {
+    for name in choices {
+        let Some(Value::Object(settings)) = spec.get_mut(*name) else { continue };
         let Some(Value::String(kind)) = settings.remove("kind") else {
             return Err(JobError::field(&format!("{name}.kind"), "must be the name of a kind".into()));
         };

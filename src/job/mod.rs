@@ -14,6 +14,7 @@ mod shape;
 mod spec;
 mod stepover;
 mod tool;
+pub mod turning;
 mod two_passes;
 mod verify_text;
 

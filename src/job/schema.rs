@@ -7,7 +7,12 @@ use serde_json::{Map, Value, json};
 /// The schema that forms are made from, as JSON text: groups in order, each with its variants and settings, with unit,
 /// range, step and default of every setting.
 pub fn schema() -> String {
-    let groups: Vec<Value> = GROUPS
+    schema_of(GROUPS, super::VERSION)
+}
+
+/// The schema of other groups than those of a milling job.
+pub(super) fn schema_of(groups: &[Group], version: u32) -> String {
+    let groups: Vec<Value> = groups
         .iter()
         .map(|g| {
             json!({
@@ -18,7 +23,7 @@ pub fn schema() -> String {
             })
         })
         .collect();
-    json!({ "version": super::VERSION, "groups": groups }).to_string()
+    json!({ "version": version, "groups": groups }).to_string()
 }
 
 fn variant(v: &Variant) -> Value {
@@ -35,6 +40,8 @@ fn field(f: &Field) -> Value {
         }
         Kind::Flag(default) => json!({ "name": f.name, "type": "boolean", "default": default }),
         Kind::Points => json!({ "name": f.name, "type": "points", "default": [] }),
+        Kind::Numbers => json!({ "name": f.name, "type": "numbers", "default": [] }),
+        Kind::Text => json!({ "name": f.name, "type": "text", "default": "" }),
     };
     if let Some((choice, words)) = f.when {
         shown["when"] = json!({ "field": choice, "is": words });
@@ -62,11 +69,11 @@ fn settings(group: &'static Group, object: &Map<String, Value>) -> Result<Vec<&'
     Ok(own.iter().chain(group.fields).collect())
 }
 
-/// Fills in what `spec` leaves out with the table's defaults, and checks what it says against the table's ranges.
+/// Fills in what `spec` leaves out with the defaults of the table `groups`, and checks what it says against the table's ranges.
 ///
 /// Errors name the setting and what would be right.
-pub(super) fn complete(spec: &mut Map<String, Value>) -> Result<(), JobError> {
-    for group in GROUPS {
+pub(super) fn complete(spec: &mut Map<String, Value>, groups: &'static [Group]) -> Result<(), JobError> {
+    for group in groups {
         let entry = spec.entry(group.path).or_insert_with(|| Value::Object(Map::new()));
         let Value::Object(object) = entry else {
             return Err(JobError::field(group.path, "must be an object".into()));
@@ -86,12 +93,16 @@ pub(super) fn complete(spec: &mut Map<String, Value>) -> Result<(), JobError> {
 /// More points than a start curve needs: each of its pieces is looked at with each other one.
 const MOST_POINTS: usize = 1000;
 
+/// A height map of two thousand numbers a side.
+const MOST_NUMBERS: usize = 4_000_000;
+
 fn default(field: &Field) -> Value {
     match field.kind {
         Kind::Number { default, .. } => default.into(),
         Kind::Choice { default, .. } => default.into(),
         Kind::Flag(default) => default.into(),
-        Kind::Points => Value::Array(Vec::new()),
+        Kind::Points | Kind::Numbers => Value::Array(Vec::new()),
+        Kind::Text => "".into(),
     }
 }
 
@@ -112,6 +123,11 @@ fn check(field: &Field, value: &Value) -> Result<(), String> {
                 Err("must be true or false".into())
             }
         }
+        Kind::Text => value.as_str().map(|_| ()).ok_or_else(|| "must be text".into()),
+        Kind::Numbers => match value.as_array() {
+            Some(list) if list.len() <= MOST_NUMBERS && list.iter().all(Value::is_number) => Ok(()),
+            _ => Err(format!("must be a list of up to {MOST_NUMBERS} numbers")),
+        },
         Kind::Points => {
             let is_number = |x: &Value| x.is_number();
             let is_point = |p: &Value| p.as_array().is_some_and(|p| p.len() == 3 && p.iter().all(is_number));

@@ -1,6 +1,7 @@
 //! The specification of a job: everything that affects its output.
 
 use super::error::JobError;
+use super::fields::GROUPS;
 use super::{kinds, schema};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
@@ -322,8 +323,8 @@ impl Spec {
                 ));
             }
         };
-        schema::complete(&mut object)?;
-        kinds::nest(&mut object)?;
+        schema::complete(&mut object, GROUPS)?;
+        kinds::nest(&mut object, &kinds::CHOICES)?;
         let spec = Self {
             version: VERSION,
             name: object.remove("name").map_or(Ok(String::new()), |name| read("name", &name))?,
@@ -349,12 +350,12 @@ impl Spec {
     }
 }
 
-fn take(object: &mut Map<String, Value>, name: &str) -> Result<Value, JobError> {
+pub(super) fn take(object: &mut Map<String, Value>, name: &str) -> Result<Value, JobError> {
     object.remove(name).ok_or_else(|| JobError::field(name, format!("missing field `{name}`")))
 }
 
 /// One group of settings, whose values the schema has checked: only names can be wrong, and those the message tells.
-fn read<'a, T: Deserialize<'a>>(name: &str, value: &'a Value) -> Result<T, JobError> {
+pub(super) fn read<'a, T: Deserialize<'a>>(name: &str, value: &'a Value) -> Result<T, JobError> {
     T::deserialize(value).map_err(|e| JobError::field(name, e.to_string()))
 }
 

@@ -6,8 +6,8 @@ use crate::math::bvh::{Aabb, Bvh};
 use crate::toolpath::TurningPath;
 use glam::DVec3;
 
-/// Moves in a leaf.
-const LEAF: usize = 3;
+/// Moves in a leaf: a bound for a move takes half of the time that one for a node takes.
+const LEAF: usize = 8;
 
 /// A ball along a path: its moves, in a tree of boxes with a plane under the centres of each.
 pub(super) struct BallSweep {
@@ -15,6 +15,10 @@ pub(super) struct BallSweep {
     /// What is left higher than this counts as uncut, mm.
     search: f64,
     moves: Vec<Move>,
+    /// Where the nose centre is at the ends of each.
+    ends: Vec<[DVec3; 2]>,
+    /// How far it is at most from the straight line between them.
+    bulges: Vec<f64>,
     tree: Bvh,
     planes: Vec<Plane>,
 }
@@ -39,32 +43,64 @@ impl BallSweep {
         let moves: Vec<Move> =
             path.points.windows(2).map(|p| Move::new(&p[0], &p[1], path.interpolation)).collect();
         let ends = |m: &Move| [m.place(0.0)[0], m.place(1.0)[0]].map(DVec3::from_array);
-        let all: Vec<[DVec3; 2]> = moves.iter().map(ends).collect();
+        let ends: Vec<[DVec3; 2]> = moves.iter().map(ends).collect();
         let bulges: Vec<f64> = moves.iter().map(Move::bulge).collect();
-        let boxes: Vec<Aabb> = all.iter().map(|e| Aabb::around(*e)).collect();
+        let boxes: Vec<Aabb> = ends.iter().map(|e| Aabb::around(*e)).collect();
         let tree = Bvh::new(&boxes, LEAF);
-        let planes = planes(&tree, &all, &bulges);
-        Self { radius, search, moves, tree, planes }
+        let planes = planes(&tree, &ends, &bulges);
+        Self { radius, search, moves, ends, bulges, tree, planes }
     }
 
-    /// The residue over `p` along the unit vector `n`.
-    fn residue(&self, p: DVec3, n: DVec3) -> f64 {
+    /// The residue over `p` along the unit vector `n`. `last` is the move that left the least at a place nearby, and becomes
+    /// the one that does here: looked at first, it tells what need not be looked at.
+    fn residue(&self, p: DVec3, n: DVec3, last: &mut Option<usize>) -> f64 {
         let r = self.radius;
         // Where the centre would be if the ball just touched at p.
         let q = p + r * n;
+        let floor = last.map_or(self.search, |i| self.closest(i, q, n).min(self.search));
         let bound = |node: usize| -self.planes[node].least(q, n, r);
         let leaf = |places: std::ops::Range<usize>, best: f64| {
-            self.tree.order()[places].iter().fold(best, |best, &i| best.max(-self.closest(i as usize, q, n)))
+            let mut best = best;
+            for &i in &self.tree.order()[places] {
+                let i = i as usize;
+                if -self.least(i, q, n) > best {
+                    let left = -self.closest(i, q, n);
+                    if left > best {
+                        (best, *last) = (left, Some(i));
+                    }
+                }
+            }
+            best
         };
-        let best = -self.tree.highest(-self.search, bound, leaf);
+        let best = -self.tree.highest(-floor, bound, leaf);
         if best < self.search { best } else { f64::INFINITY }
+    }
+
+    /// The move `i` leaves no less than this: the least of `d·n + t²/2r`, which is below every residue, along its chord, less
+    /// √2 times what the move bulges, since within the ball's reach (t up to r) that grows by no more for each mm of way.
+    fn least(&self, i: usize, q: DVec3, n: DVec3) -> f64 {
+        let r = self.radius;
+        let [a, b] = self.ends[i];
+        let (d, v) = (a - q, b - a);
+        let (dn, vn) = (d.dot(n), v.dot(n));
+        let (dd, dv, vv) =
+            (d.length_squared() - dn * dn, d.dot(v) - dn * vn, (v.length_squared() - vn * vn).max(0.0));
+        let slope = vn + dv / r;
+        let u = if vv > 0.0 {
+            (-slope * r / vv).clamp(0.0, 1.0)
+        } else if slope < 0.0 {
+            1.0
+        } else {
+            0.0
+        };
+        dn + 0.5 * dd / r + u * (slope + 0.5 * u * vv / r) - std::f64::consts::SQRT_2 * self.bulges[i]
     }
 
     /// The least residue that the move `i` leaves.
     fn closest(&self, i: usize, q: DVec3, n: DVec3) -> f64 {
         let motion = &self.moves[i];
         let r = self.radius;
-        let [a, b] = [motion.place(0.0)[0], motion.place(1.0)[0]].map(DVec3::from_array);
+        let [a, b] = self.ends[i];
         let along = b - a;
         let length = along.length_squared();
         let mut u = if length > 0.0 { ((q - a).dot(along) / length).clamp(0.0, 1.0) } else { 0.0 };
@@ -107,11 +143,12 @@ impl BallSweep {
 
 impl Sweep for BallSweep {
     fn residues(&self, ray: &Ray, targets: &[Target]) -> Vec<f64> {
+        let mut last = None;
         targets
             .iter()
             .map(|t| {
                 let p = DVec3::new(t.rho * ray.cos, t.rho * ray.sin, t.z);
-                self.residue(p, DVec3::from_array(t.normal))
+                self.residue(p, DVec3::from_array(t.normal), &mut last)
             })
             .collect()
     }
@@ -161,9 +198,17 @@ fn planes(tree: &Bvh, ends: &[[DVec3; 2]], bulges: &[f64]) -> Vec<Plane> {
             runs[node] = runs[a].start.min(runs[b].start)..runs[a].end.max(runs[b].end);
         }
     }
+    let mut normals = vec![DVec3::Z; count];
+    for node in 0..count {
+        // Points of one turn lie in a line, which no plane fits: theirs is that of the node above.
+        normals[node] = fitted(&sums[node]).unwrap_or(normals[node]);
+        for child in tree.children(node).into_iter().flatten() {
+            normals[child] = normals[node];
+        }
+    }
     (0..count)
         .map(|node| {
-            let normal = fitted(&sums[node]);
+            let normal = normals[node];
             let bounds = &tree.boxes()[node];
             let middle = 0.5 * (bounds.lo + bounds.hi);
             let (mut height, mut around): (f64, f64) = (f64::INFINITY, 0.0);
@@ -179,17 +224,15 @@ fn planes(tree: &Bvh, ends: &[[DVec3; 2]], bulges: &[f64]) -> Vec<Plane> {
         .collect()
 }
 
-/// The unit normal, pointing up, of the plane `z = a + b x + c y` that fits the points best; upright where they lie in a line.
-fn fitted(&[n, x, y, z, xx, xy, yy, xz, yz]: &Moments) -> DVec3 {
-    if n < 1.0 {
-        return DVec3::Z;
-    }
+/// The unit normal, pointing up, of the plane `z = a + b x + c y` that fits the points best; `None` where they lie nearly in a
+/// line seen from above: narrower than a fifth of their length.
+fn fitted(&[n, x, y, z, xx, xy, yy, xz, yz]: &Moments) -> Option<DVec3> {
     let (sxx, sxy, syy) = (xx - x * x / n, xy - x * y / n, yy - y * y / n);
     let (sxz, syz) = (xz - x * z / n, yz - y * z / n);
     let det = sxx * syy - sxy * sxy;
-    if !(det > 1e-9 * (sxx + syy) * (sxx + syy)) {
-        return DVec3::Z;
+    if !(det > 0.04 * (sxx + syy) * (sxx + syy)) {
+        return None;
     }
     let (b, c) = ((sxz * syy - syz * sxy) / det, (syz * sxx - sxz * sxy) / det);
-    DVec3::new(-b, -c, 1.0).normalize_or(DVec3::Z)
+    DVec3::new(-b, -c, 1.0).try_normalize()
 }

@@ -3,8 +3,8 @@
 use super::ray::{Ray, Sweep};
 use super::verification::{Residue, TurnedPart, target};
 
-/// How many of the extreme samples are looked around.
-pub(super) const SEEDS: usize = 12;
+/// How many samples are looked around for either extreme.
+pub(super) const SEEDS: usize = 60;
 /// Each round looks at 25 places and halves their distances: 10 leave a thousandth of the spacing.
 const ROUNDS: usize = 10;
 

@@ -62,10 +62,24 @@ pub struct TurnedProof {
     pub rings: usize,
     /// Residues, ray by ray, mm: not a number outside of the aperture, infinite where uncut.
     pub residues: Vec<f32>,
+    /// Distance of neighbouring places on a ray, mm.
+    pub ring_step: f64,
     /// In numbers.
     pub form: Form,
     /// The sagittas; those whose chord leaves the aperture are left out.
     pub sagittas: Vec<Sagitta>,
+}
+
+impl TurnedProof {
+    /// Distance from the axis of the places of a ring, mm.
+    pub fn radius(&self, ring: usize) -> f64 {
+        self.ring_step * ring as f64
+    }
+
+    /// Angle of a ray, radians.
+    pub fn angle(&self, ray: usize) -> f64 {
+        TAU * ray as f64 / self.rays as f64
+    }
 }
 
 /// Why a path cannot be judged.
@@ -144,7 +158,7 @@ pub fn verify_turned(
     let weighted: Vec<(f64, f64)> =
         all.iter().enumerate().filter(|(_, h)| !h.is_nan()).map(|(k, h)| (*h, weight(k % rings))).collect();
     let extreme = |sense: f64| {
-        seeds(&all, sense)
+        seeds(&all, rings, sense)
             .into_iter()
             .filter_map(|k| {
                 let start = [steps[0] * (k % rings) as f64, steps[1] * (k / rings) as f64];
@@ -155,7 +169,8 @@ pub fn verify_turned(
     let form = form(&weighted, &options.bands, extreme(-1.0), extreme(1.0));
     let sagittas = part.meridians.1.iter().filter_map(|a| sagitta(part, sweep, *a, options.chord)).collect();
     stage.at(1.0)?;
-    Ok(TurnedProof { rays, rings, residues: all.iter().map(|h| *h as f32).collect(), form, sagittas })
+    let residues = all.iter().map(|h| *h as f32).collect();
+    Ok(TurnedProof { rays, rings, residues, ring_step: steps[0], form, sagittas })
 }
 
 fn check(path: &TurningPath) -> Result<(), TurnedError> {
@@ -182,19 +197,16 @@ pub(super) fn target(part: &TurnedPart, ray: &Ray, rho: f64) -> Option<Target> {
     Some(Target { rho, z, normal })
 }
 
-/// The numbers of the most extreme residues that are finite, one a neighbourhood of the list.
-fn seeds(all: &[f64], sense: f64) -> Vec<usize> {
-    let mut best: Vec<(u64, usize)> = Vec::new();
-    for (k, h) in all.iter().enumerate().filter(|(_, h)| h.is_finite()) {
-        let key = (rank(sense * h), k);
-        if best.len() < SEEDS {
-            best.push(key);
-        } else if let Some(least) = best.iter_mut().min_by_key(|b| b.0).filter(|least| least.0 < key.0) {
-            *least = key;
-        }
-    }
-    best.sort_unstable();
-    best.into_iter().map(|(_, k)| k).collect()
+/// The numbers of the residues to look around: the most extreme of each of [`SEEDS`] bundles of neighbouring rays, since the
+/// sample nearest to the extreme need not be the most extreme one.
+fn seeds(all: &[f64], rings: usize, sense: f64) -> Vec<usize> {
+    let bundle = all.len().div_ceil(SEEDS).max(1).next_multiple_of(rings);
+    let most = |(first, some): (usize, &[f64])| {
+        let finite = some.iter().enumerate().filter(|(_, h)| h.is_finite());
+        let best = finite.max_by_key(|(_, h)| rank(sense * **h));
+        best.map(|(k, _)| first * bundle + k)
+    };
+    all.chunks(bundle).enumerate().filter_map(most).collect()
 }
 
 /// The sagitta over the chord through the vertex in the direction `angle`.
