@@ -54,9 +54,14 @@ pub fn chosen_angle(
         let share = libm::pow(SHARE * asked.chord / error.max(f64::MIN_POSITIVE), power);
         now = now.scaled(share.min(WIDEST / rim(&now)));
     }
-    if let Spacing::Angle(angle) = now {
-        let turn = std::f64::consts::TAU;
-        now = Spacing::Angle(turn / (turn / angle * (1.0 - 1e-9)).ceil());
+    Ok(whole_turn(now))
+}
+
+/// `spacing`, where it is by equal angles, a little closer, so that a turn is a whole number of them.
+pub(super) fn whole_turn(spacing: Spacing) -> Spacing {
+    let turn = std::f64::consts::TAU;
+    match spacing {
+        Spacing::Angle(angle) => Spacing::Angle(turn / (turn / angle * (1.0 - 1e-9)).ceil()),
+        other => other,
     }
-    Ok(now)
 }

@@ -1,7 +1,7 @@
 //! The whole plan: from part, tool and what is asked to the motion of the axes.
 
 use super::aperture::Aperture;
-use super::choose::{Asked, chosen_angle, chosen_step};
+use super::choose::{Asked, chosen_angle, chosen_step, whole_turn};
 use super::chord::{Chord, chord_error};
 use super::cusp::{Cusp, highest_cusp};
 use super::dynamics::{Dynamics, Moment, dynamics};
@@ -115,7 +115,7 @@ pub fn plan(order: &Order, stage: &Stage) -> Result<Planned, TurningError> {
         return Err(TurningError::TooMany { count: 8.0 * turns, limit: MOST_POINTS, hint });
     }
     let guide = Guide::new(&order.ways, outermost, step);
-    let spacing = match order.spacing {
+    let mut spacing = match order.spacing {
         Step::Given(spacing) => spacing,
         Step::Chosen(kind) => {
             chosen_angle(part, aperture, nose, order.interpolation, &guide, &kind, &order.asked)?
@@ -125,11 +125,20 @@ pub fn plan(order: &Order, stage: &Stage) -> Result<Planned, TurningError> {
         Speed::Given(pace) | Speed::Highest { pace, .. } => pace,
     };
     stage.at(0.1)?;
-    let laid = lay(order, &guide, &spacing, &reference, &stage.part("Laying the path", 0.1, 0.6))?;
-    stage.at(0.6)?;
-    let mut points: Vec<AxisPoint> = laid.moments.iter().map(|m| m.point).collect();
-    let chord = chord_error(part, aperture, nose, order.interpolation, &points, &laid.guesses)?;
-    check_chord(&chord, order, &spacing)?;
+    let mut tries = if matches!(order.spacing, Step::Chosen(_)) { RETRIES } else { 0 };
+    let (laid, mut points, chord) = loop {
+        let laid =
+            lay(order, &guide, &spacing, &reference, &stage.part("Laying the path", 0.1, 0.6).quiet())?;
+        let points: Vec<AxisPoint> = laid.moments.iter().map(|m| m.point).collect();
+        let chord = chord_error(part, aperture, nose, order.interpolation, &points, &laid.guesses)?;
+        let Err(error) = check_chord(&chord, order, &spacing) else { break (laid, points, chord) };
+        if tries == 0 {
+            return Err(error);
+        }
+        tries -= 1;
+        spacing = whole_turn(fitting(order, &spacing, largest(&chord).error));
+        stage.at(0.6)?;
+    };
     stage.at(0.9)?;
     let found = dynamics(&laid.moments);
     let first = strictest(&found, &order.limits);
@@ -154,6 +163,9 @@ pub fn plan(order: &Order, stage: &Stage) -> Result<Planned, TurningError> {
         pace: reference.scaled(share),
     })
 }
+
+/// How often a chosen spacing is tried again: the quick look that it comes from misses little, and the path itself says by how much.
+const RETRIES: usize = 5;
 
 struct Laid {
     moments: Vec<Moment>,
@@ -213,20 +225,16 @@ fn lay(
 
 fn check_chord(chord: &[Chord; 2], order: &Order, spacing: &Spacing) -> Result<(), TurningError> {
     let limit = order.asked.chord;
-    let worst = if chord[0].error > -chord[1].error { chord[0] } else { chord[1] };
+    let worst = largest(chord);
     if worst.error.abs() <= limit {
         return Ok(());
     }
-    let power = match order.interpolation {
-        Interpolation::Linear => 0.5,
-        Interpolation::Pvt => 0.25,
-    };
     // Down to three digits: what is named must do.
     let down = |x: f64| {
         let unit = libm::pow(10.0, libm::log10(x).floor() - 2.0);
         (x / unit).floor() * unit
     };
-    let least = match spacing.scaled(0.98 * libm::pow(limit / worst.error.abs(), power)) {
+    let least = match fitting(order, spacing, worst.error) {
         Spacing::Angle(angle) => format!("points at most {:.6}° apart would do", down(angle.to_degrees())),
         Spacing::Arc { length, .. } | Spacing::Hybrid { length, .. } => {
             format!("points at most {:.6} mm apart would do", down(length))
@@ -239,6 +247,19 @@ fn check_chord(chord: &[Chord; 2], order: &Order, spacing: &Spacing) -> Result<(
         degrees: (worst.c % TAU).to_degrees(),
         least,
     })
+}
+
+fn largest(chord: &[Chord; 2]) -> Chord {
+    if chord[0].error > -chord[1].error { chord[0] } else { chord[1] }
+}
+
+/// `spacing` as much closer as keeps the limit, when it makes this error.
+fn fitting(order: &Order, spacing: &Spacing, error: f64) -> Spacing {
+    let power = match order.interpolation {
+        Interpolation::Linear => 0.5,
+        Interpolation::Pvt => 0.25,
+    };
+    spacing.scaled(0.98 * libm::pow(order.asked.chord / error.abs(), power))
 }
 
 /// By how many times the reference pace is gone.
