@@ -42,7 +42,7 @@ pub struct Guide {
     outer: f64,
     /// mm a turn.
     step: f64,
-    /// Angles of the leads at the rim and at the axis, radians.
+    /// Angles of the leads at the rim and at the axis, radians, without the turn on the axis.
     leads: [f64; 2],
     /// Angle of the whole, radians.
     length: f64,
@@ -50,7 +50,9 @@ pub struct Guide {
 
 impl Guide {
     /// The guide from the axis out to `outermost`, mm, with `step` mm between neighbouring turns. It is carried one turn further
-    /// out, so that in every direction a turn passes at or beyond `outermost`. Concentric circles divide the way evenly and so may lie closer.
+    /// out, so that in every direction a turn passes at or beyond `outermost`, and has a whole turn on the axis, without which an insert
+    /// would leave up to one and a half steps between its last two passes there. Concentric circles divide the way evenly and so may
+    /// lie closer.
     ///
     /// `outermost` and `step` must be above 0, leads 0 or more.
     pub fn new(ways: &Ways, outermost: f64, step: f64) -> Self {
@@ -72,7 +74,7 @@ impl Guide {
                     outer,
                     step,
                     leads: [leads[0], inner],
-                    length: leads[0] + even + inner,
+                    length: leads[0] + even + inner + TAU,
                 }
             }
             Curve::Circles(turn) => {
@@ -120,7 +122,10 @@ impl Guide {
     fn spiral(&self, c: f64) -> [f64; 3] {
         let feed = self.step / TAU;
         let [rim, axis] = self.leads;
-        let left = self.length - c;
+        let left = self.length - TAU - c;
+        if left <= 0.0 {
+            return [0.0; 3];
+        }
         if c < rim {
             let [s, s1, s2] = going(c / rim);
             return [self.outer + feed * rim * (0.5 - s), -feed * s1, -feed * s2 / rim];

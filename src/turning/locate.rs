@@ -47,6 +47,12 @@ pub fn locate(
     found.ok_or_else(|| TurningError::NoTouch { x, degrees: libm::atan2(sin, cos).to_degrees() })
 }
 
+/// How far the centre of a nose is above a place of it that lies `aside` of it. At the contact this is `r/w`, and since no place lets the
+/// nose come lower, a contact that is a little off tells the height to second order.
+fn above(r: f64, [u, v]: [f64; 2]) -> f64 {
+    (r * r - u * u - v * v).max(0.0).sqrt()
+}
+
 fn ball(part: &Placed, r: f64, x: f64, (cos, sin): (f64, f64), [along, across]: Offset) -> Option<Location> {
     let q = [x * cos, x * sin];
     let mut p = [q[0] + along * cos - across * sin, q[1] + along * sin + across * cos];
@@ -74,8 +80,9 @@ fn ball(part: &Placed, r: f64, x: f64, (cos, sin): (f64, f64), [along, across]: 
             // H J⁻¹, symmetric in exact arithmetic.
             let [xx, xy] = second(hxx, hxy);
             let [yx, yy] = second(hxy, hyy);
-            let center = HeightJet { z: f.z + k, g: f.g, h: [xx, 0.5 * (xy + yx), yy] };
             let seen = [p[0] - q[0], p[1] - q[1]];
+            let z = f.z + above(r, seen);
+            let center = HeightJet { z, g: f.g, h: [xx, 0.5 * (xy + yx), yy] };
             return Some(Location {
                 center: center.polar(x, cos, sin),
                 touch: p,
@@ -110,7 +117,7 @@ fn insert(part: &Placed, r: f64, x: f64, (cos, sin): (f64, f64), along: f64) -> 
         if e.abs() <= close {
             let q = 1.0 / slope;
             let center = PolarJet {
-                z: f.z + r / w,
+                z: f.z + above(r, [rho - x, 0.0]),
                 r: f.r,
                 t: f.t,
                 rr: f.rr * q,

@@ -110,7 +110,7 @@ pub fn plan(order: &Order, stage: &Stage) -> Result<Planned, TurningError> {
         Step::Chosen(_) => chosen_step(part, aperture, nose, &order.asked).min(outermost),
     };
     let turns = outermost / step;
-    if !(turns < MOST_POINTS as f64 / 8.0) {
+    if turns.is_nan() || turns >= MOST_POINTS as f64 / 8.0 {
         let hint = "a larger step between turns would do";
         return Err(TurningError::TooMany { count: 8.0 * turns, limit: MOST_POINTS, hint });
     }

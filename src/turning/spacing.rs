@@ -60,8 +60,9 @@ pub fn angles(guide: &Guide, spacing: &Spacing) -> Result<Vec<f64>, TurningError
         limit: MOST_POINTS,
         hint: "larger steps between turns or between points would do",
     };
-    if !(end / least < MOST_POINTS as f64) {
-        return Err(too_many(end / least));
+    let count = end / least;
+    if count.is_nan() || count >= MOST_POINTS as f64 {
+        return Err(too_many(count));
     }
     let mut all = Vec::with_capacity((end / least) as usize + 2);
     if let Spacing::Angle(angle) = *spacing {

@@ -2,7 +2,7 @@
 
 use crate::shell::{self, Call, Outcome};
 use crate::summary::{self, Dialect, Row};
-use crate::{browser, page, serve, wasm};
+use crate::{browser, page, rs274, serve, wasm};
 use anyhow::{Result, bail};
 use std::process::ExitCode;
 use std::time::Instant;
@@ -15,11 +15,12 @@ struct Suite {
     run: fn() -> Result<Outcome>,
 }
 
-const SUITES: [Suite; 8] = [
+const SUITES: [Suite; 9] = [
     Suite { id: "format", name: "Rust format", dialect: Dialect::Whole, run: format },
     Suite { id: "lint", name: "Rust lints, native", dialect: Dialect::Whole, run: lint },
     Suite { id: "lint-wasm", name: "Rust lints, WebAssembly", dialect: Dialect::Whole, run: lint_wasm },
     Suite { id: "native", name: "Native tests", dialect: Dialect::Cargo, run: native },
+    Suite { id: "rs274", name: "Lathe G-code in LinuxCNC", dialect: Dialect::Cargo, run: rs274::run },
     Suite { id: "module", name: "WebAssembly module in Node", dialect: Dialect::Node, run: module },
     Suite { id: "style", name: "Page format and lints", dialect: Dialect::Whole, run: style },
     Suite { id: "types", name: "Page types", dialect: Dialect::Whole, run: types },
@@ -43,6 +44,11 @@ fn row(suite: &Suite) -> Row {
     let start = Instant::now();
     let (output, success, note) = match (suite.run)() {
         Ok(outcome) => (outcome.output, outcome.success, String::new()),
+        Err(error) if error.is::<rs274::Skipped>() => {
+            println!("{error}");
+            let note = error.to_string();
+            return Row { name: suite.name, passed: 0, failed: 0, time: start.elapsed(), note };
+        }
         Err(error) => {
             println!("{error:#}");
             (String::new(), false, format!("{error:#}"))

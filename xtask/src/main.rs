@@ -7,6 +7,7 @@ mod browser;
 mod check;
 mod page;
 mod rates;
+mod rs274;
 mod serve;
 mod shell;
 mod summary;

@@ -102,13 +102,11 @@ fn warnings(spec: &TurningSpec, order: &Order, planned: &Planned) -> Vec<String>
             ));
         }
     }
-    if let Some([clearance, ..]) = planned.fit.effective {
-        if clearance < 2.0_f64.to_radians() {
-            all.push(format!(
-                "tool.clearance_deg: only {:.2}° are left over the steepest fall",
-                clearance.to_degrees()
-            ));
-        }
+    if let Some([clearance, ..]) = planned.fit.effective.filter(|e| e[0] < 2.0_f64.to_radians()) {
+        all.push(format!(
+            "tool.clearance_deg: only {:.2}° are left over the steepest fall",
+            clearance.to_degrees()
+        ));
     }
     all
 }

@@ -177,7 +177,7 @@ pub fn read_gcode(text: &str, dialect: Dialect) -> Result<(Nose, TurningPath), R
         }
         let line = Line::parse(number, raw)?;
         match line.remark {
-            Some("PATH") => state.begin(number)?,
+            Some("PATH") => state.begin(number, state.meaning.ok_or_else(missing)?)?,
             Some("END") => state.inside = false,
             Some(remark) => state.meaning = Meaning::announced(remark).or(state.meaning),
             None => {}
@@ -227,8 +227,8 @@ impl Default for State {
 
 impl State {
     /// The point where the path begins.
-    fn begin(&mut self, number: usize) -> Result<(), ReadError> {
-        let (Some(meaning), [Some(x), Some(z), Some(c)]) = (self.meaning, self.at) else {
+    fn begin(&mut self, number: usize, meaning: Meaning) -> Result<(), ReadError> {
+        let [Some(x), Some(z), Some(c)] = self.at else {
             return Err(ReadError::statement(number, "(PATH)", "X, Z and C must be stated before"));
         };
         self.inside = true;

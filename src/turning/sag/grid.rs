@@ -57,7 +57,7 @@ impl GridMap {
         columns: usize,
         spacing: [f64; 2],
     ) -> Result<Self, GridError> {
-        let rows = if columns > 0 { numbers.len() / columns } else { 0 };
+        let rows = numbers.len().checked_div(columns).unwrap_or(0);
         if rows < 5 || columns < 5 || rows * columns != numbers.len() {
             return Err(GridError::Shape { count: numbers.len(), columns });
         }

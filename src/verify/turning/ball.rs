@@ -192,9 +192,7 @@ fn planes(tree: &Bvh, ends: &[[DVec3; 2]], bulges: &[f64]) -> Vec<Plane> {
             }
             runs[node] = places;
         } else if let Some([a, b]) = tree.children(node) {
-            for k in 0..9 {
-                sums[node][k] = sums[a][k] + sums[b][k];
-            }
+            sums[node] = std::array::from_fn(|k| sums[a][k] + sums[b][k]);
             runs[node] = runs[a].start.min(runs[b].start)..runs[a].end.max(runs[b].end);
         }
     }
@@ -230,7 +228,7 @@ fn fitted(&[n, x, y, z, xx, xy, yy, xz, yz]: &Moments) -> Option<DVec3> {
     let (sxx, sxy, syy) = (xx - x * x / n, xy - x * y / n, yy - y * y / n);
     let (sxz, syz) = (xz - x * z / n, yz - y * z / n);
     let det = sxx * syy - sxy * sxy;
-    if !(det > 0.04 * (sxx + syy) * (sxx + syy)) {
+    if det.is_nan() || det <= 0.04 * (sxx + syy) * (sxx + syy) {
         return None;
     }
     let (b, c) = ((sxz * syy - syz * sxy) / det, (syz * sxx - sxz * sxy) / det);

@@ -131,8 +131,9 @@ pub fn verify_turned(
     check(path)?;
     let rings = (part.farthest / options.spacing).ceil().max(1.0);
     let rays = (TAU * part.farthest / options.spacing).ceil().max(8.0);
-    if !(rings * rays < MOST_SAMPLES as f64) {
-        return Err(TurnedError::TooMany { samples: rings * rays, limit: MOST_SAMPLES });
+    let count = rings * rays;
+    if count.is_nan() || count >= MOST_SAMPLES as f64 {
+        return Err(TurnedError::TooMany { samples: count, limit: MOST_SAMPLES });
     }
     // An odd count does not fall in step with the points of a turn, so that their gaps are seen at many places.
     let (rings, rays) = (rings as usize + 1, rays as usize | 1);
