@@ -26,12 +26,17 @@ export class Cancelled extends Error {}
  *   onProgress: ((phase: string, fraction: number) => void) | undefined }} Pending
  */
 
+/** The worker that plans for mills. */
+const spawnMilling = () =>
+  new Worker(new URL('./worker.js', import.meta.url), { type: 'module', name: 'planner' });
+
 /**
  * Starts a worker at once: it loads while the page is still being built.
  *
  * @param {() => Promise<WebAssembly.Module>} compile Called once.
+ * @param {() => Worker} spawn Called for every worker.
  */
-export function createPlanner(compile) {
+export function createPlanner(compile, spawn = spawnMilling) {
   /** @type {Promise<WebAssembly.Module> | null} */
   let module = null;
   /** @type {Worker | null} */
@@ -41,7 +46,7 @@ export function createPlanner(compile) {
   let lastId = 0;
 
   function start() {
-    const started = new Worker(new URL('./worker.js', import.meta.url), { type: 'module', name: 'planner' });
+    const started = spawn();
     started.onmessage = ({ data }) => receive(data);
     started.onerror = (event) => {
       event.preventDefault();

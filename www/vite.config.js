@@ -9,6 +9,7 @@ export default defineConfig({
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
     chunkSizeWarningLimit: 800,
+    rolldownOptions: { input: ['index.html', 'turning.html'] },
   },
   worker: { format: 'es' },
 });

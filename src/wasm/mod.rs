@@ -7,6 +7,8 @@
 
 #[cfg(feature = "milling")]
 pub mod milling;
+#[cfg(feature = "turning")]
+pub mod turning;
 
 use crate::job::{self, JobError};
 use crate::monitor::{Monitor, Stage};

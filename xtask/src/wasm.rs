@@ -23,7 +23,8 @@ struct Module {
     feature: &'static str,
 }
 
-const MODULES: [Module; 1] = [Module { name: "stepover", feature: "milling" }];
+const MODULES: [Module; 2] =
+    [Module { name: "stepover", feature: "milling" }, Module { name: "turning", feature: "turning" }];
 
 /// Compiles the library for the browser, once for each module, and writes them to [`folder`].
 pub fn build() -> Result<()> {

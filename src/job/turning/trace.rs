@@ -44,24 +44,31 @@ impl TurningPlan {
         Progress { turns: flat.collect() }
     }
 
-    /// The way of the nose over the part: x, y, z of its lowest point, point by point, mm.
-    pub fn nose_path(&self) -> Vec<f32> {
-        let r = self.nose.radius();
-        let place = |p: &crate::toolpath::AxisPoint| {
-            let (sin, cos) = libm::sincos(p.c);
-            [p.x * cos, p.x * sin, p.z - r].map(|x| x as f32)
-        };
-        self.planned.path.points.iter().flat_map(place).collect()
-    }
-
-    /// Where the nose touches the part: x, y, z, point by point, mm.
-    pub fn touches(&self) -> Vec<f32> {
+    /// Where the nose touches the part: x, y, z, mm, at every so many points of the path that they are no more than about `most`.
+    pub fn touches(&self, most: usize) -> Vec<f32> {
+        let all = &self.planned.touches;
         let place = |[x, y]: &[f64; 2]| [*x, *y, self.order.part.at(*x, *y).z].map(|x| x as f32);
-        self.planned.touches.iter().flat_map(place).collect()
+        all.iter().step_by(all.len().div_ceil(most.max(1)).max(1)).flat_map(place).collect()
     }
 
-    /// Height of the part at `(x, y)`, mm.
-    pub fn height(&self, x: f64, y: f64) -> f64 {
-        self.order.part.at(x, y).z
+    /// No place of the aperture is farther from the axis, mm.
+    pub fn farthest(&self) -> f64 {
+        self.order.aperture.farthest()
+    }
+
+    /// Heights of the part, mm, on `rays` rays with `rings` places each, out to [`TurningPlan::farthest`]; not numbers outside of the
+    /// aperture.
+    pub fn heights(&self, rays: usize, rings: usize) -> Vec<f32> {
+        let step = self.farthest() / (rings.max(2) - 1) as f64;
+        let mut all = Vec::with_capacity(rays * rings);
+        for ray in 0..rays {
+            let (sin, cos) = libm::sincos(std::f64::consts::TAU * ray as f64 / rays as f64);
+            for ring in 0..rings {
+                let (x, y) = (step * ring as f64 * cos, step * ring as f64 * sin);
+                let inside = self.order.aperture.contains(x, y);
+                all.push(if inside { self.order.part.at(x, y).z as f32 } else { f32::NAN });
+            }
+        }
+        all
     }
 }

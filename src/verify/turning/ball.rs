@@ -23,16 +23,17 @@ pub(super) struct BallSweep {
     planes: Vec<Plane>,
 }
 
-/// A plane below which no nose centre of a node lies.
+/// Where the nose centres of a node are: in a ball, and above a plane.
 #[derive(Debug, Clone, Copy)]
 struct Plane {
     /// Unit normal, pointing up.
     normal: DVec3,
-    /// Of the plane along its normal.
-    height: f64,
-    /// A ball around all centres of the node.
+    /// The middle of the ball.
     middle: DVec3,
+    /// Its radius.
     around: f64,
+    /// How far the plane is below the middle.
+    below: f64,
 }
 
 /// Sums over points, from which a plane is fitted: Σ1, Σx, Σy, Σz, Σxx, Σxy, Σyy, Σxz, Σyz.
@@ -161,16 +162,17 @@ impl Plane {
         let to = self.middle - q;
         let along = to.dot(n);
         let aside = (to.length_squared() - along * along).max(0.0).sqrt();
-        // d·n for all d in the ball, and for all above the plane; both hold.
-        let in_ball = along - self.around;
-        let (cos, far) = (n.dot(self.normal), to.length() + self.around);
-        let sin = (1.0 - cos * cos).max(0.0).sqrt();
-        let above = cos * (self.height - q.dot(self.normal)) - sin * far;
         let near = (aside - self.around).max(0.0);
         if near >= r {
             return f64::INFINITY;
         }
-        in_ball.max(if cos > 0.0 { above } else { f64::NEG_INFINITY }) + near * near / (2.0 * r)
+        // From the middle a centre goes down by at most `below` along the plane's normal and by `around` along the plane, which
+        // n sees by its cosine and sine; whatever n is, by no more than `around`.
+        let cos = n.dot(self.normal);
+        let sin = (1.0 - cos * cos).max(0.0).sqrt();
+        let down =
+            if cos > 0.0 { (cos * self.below + sin * self.around).min(self.around) } else { self.around };
+        along - down + near * near / (2.0 * r)
     }
 }
 
@@ -217,7 +219,7 @@ fn planes(tree: &Bvh, ends: &[[DVec3; 2]], bulges: &[f64]) -> Vec<Plane> {
                     around = around.max(p.distance(middle) + bulge);
                 }
             }
-            Plane { normal, height, middle, around }
+            Plane { normal, middle, around, below: middle.dot(normal) - height }
         })
         .collect()
 }
