@@ -23,8 +23,9 @@ pub(super) struct BallSweep {
     planes: Vec<Plane>,
 }
 
-/// Where the nose centres of a node are: in a ball, and above a plane.
+/// Where the nose centres of a node are: in a ball, and above a plane. One line of the cache holds it.
 #[derive(Debug, Clone, Copy)]
+#[repr(align(64))]
 struct Plane {
     /// Unit normal, pointing up.
     normal: DVec3,
@@ -34,6 +35,14 @@ struct Plane {
     around: f64,
     /// How far the plane is below the middle.
     below: f64,
+}
+
+/// What is kept from one search to the next.
+#[derive(Default)]
+struct Seeker {
+    last: Option<usize>,
+    /// Nodes to be opened, with what they leave at least.
+    open: Vec<(f64, usize)>,
 }
 
 /// Sums over points, from which a plane is fitted: Σ1, Σx, Σy, Σz, Σxx, Σxy, Σyy, Σxz, Σyz.
@@ -52,28 +61,41 @@ impl BallSweep {
         Self { radius, search, moves, ends, bulges, tree, planes }
     }
 
-    /// The residue over `p` along the unit vector `n`. `last` is the move that left the least at a place nearby, and becomes
-    /// the one that does here: looked at first, it tells what need not be looked at.
-    fn residue(&self, p: DVec3, n: DVec3, last: &mut Option<usize>) -> f64 {
+    /// The residue over `p` along the unit vector `n`. `seeker` remembers the move that left the least at a place nearby: looked
+    /// at first, it tells what need not be looked at.
+    fn residue(&self, p: DVec3, n: DVec3, seeker: &mut Seeker) -> f64 {
         let r = self.radius;
         // Where the centre would be if the ball just touched at p.
         let q = p + r * n;
-        let floor = last.map_or(self.search, |i| self.closest(i, q, n).min(self.search));
-        let bound = |node: usize| -self.planes[node].least(q, n, r);
-        let leaf = |places: std::ops::Range<usize>, best: f64| {
-            let mut best = best;
-            for &i in &self.tree.order()[places] {
-                let i = i as usize;
-                if -self.least(i, q, n) > best {
-                    let left = -self.closest(i, q, n);
-                    if left > best {
-                        (best, *last) = (left, Some(i));
+        let mut best = seeker.last.map_or(self.search, |i| self.closest(i, q, n).min(self.search));
+        // Depth first, the nearer child first: with a good start nothing is gained by keeping all that is open in order.
+        let open = &mut seeker.open;
+        open.clear();
+        open.push((self.planes[0].least(q, n, r), 0));
+        while let Some((least, node)) = open.pop() {
+            if least >= best {
+                continue;
+            }
+            let Some(children) = self.tree.children(node) else {
+                for &i in self.tree.leaf(node).map_or(&[][..], |places| &self.tree.order()[places]) {
+                    let i = i as usize;
+                    if self.least(i, q, n) < best {
+                        let left = self.closest(i, q, n);
+                        if left < best {
+                            (best, seeker.last) = (left, Some(i));
+                        }
                     }
                 }
+                continue;
+            };
+            let [a, b] = children.map(|child| (self.planes[child].least(q, n, r), child));
+            let (near, far) = if a.0 <= b.0 { (a, b) } else { (b, a) };
+            for child in [far, near] {
+                if child.0 < best {
+                    open.push(child);
+                }
             }
-            best
-        };
-        let best = -self.tree.highest(-floor, bound, leaf);
+        }
         if best < self.search { best } else { f64::INFINITY }
     }
 
@@ -144,12 +166,12 @@ impl BallSweep {
 
 impl Sweep for BallSweep {
     fn residues(&self, ray: &Ray, targets: &[Target]) -> Vec<f64> {
-        let mut last = None;
+        let mut seeker = Seeker::default();
         targets
             .iter()
             .map(|t| {
                 let p = DVec3::new(t.rho * ray.cos, t.rho * ray.sin, t.z);
-                self.residue(p, DVec3::from_array(t.normal), &mut last)
+                self.residue(p, DVec3::from_array(t.normal), &mut seeker)
             })
             .collect()
     }
@@ -159,10 +181,12 @@ impl Plane {
     /// No residue of a centre under this node is below this. `q` is where the centre would be if the ball touched, `n` the
     /// normal there.
     fn least(&self, q: DVec3, n: DVec3, r: f64) -> f64 {
+        let bend = 1.0 / r;
         let to = self.middle - q;
         let along = to.dot(n);
-        let aside = (to.length_squared() - along * along).max(0.0).sqrt();
-        let near = (aside - self.around).max(0.0);
+        let aside = to.length_squared() - along * along;
+        // Most nodes that are looked at have the line in their ball, and need no root for it.
+        let near = if aside > self.around * self.around { aside.sqrt() - self.around } else { 0.0 };
         if near >= r {
             return f64::INFINITY;
         }
@@ -172,7 +196,7 @@ impl Plane {
         let sin = (1.0 - cos * cos).max(0.0).sqrt();
         let down =
             if cos > 0.0 { (cos * self.below + sin * self.around).min(self.around) } else { self.around };
-        along - down + near * near / (2.0 * r)
+        along - down + 0.5 * near * near * bend
     }
 }
 
