@@ -46,8 +46,10 @@ pub enum Kind {
     /// Points in space, mm, as a list of `[x, y, z]`; none where the specification says nothing.
     Points,
     /// A list of numbers; none where the specification says nothing.
+    #[cfg(feature = "turning")]
     Numbers,
     /// A line of text; empty where the specification says nothing.
+    #[cfg(feature = "turning")]
     Text,
 }
 

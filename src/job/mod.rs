@@ -14,6 +14,7 @@ mod shape;
 mod spec;
 mod stepover;
 mod tool;
+#[cfg(feature = "turning")]
 pub mod turning;
 mod two_passes;
 mod verify_text;

@@ -40,7 +40,9 @@ fn field(f: &Field) -> Value {
         }
         Kind::Flag(default) => json!({ "name": f.name, "type": "boolean", "default": default }),
         Kind::Points => json!({ "name": f.name, "type": "points", "default": [] }),
+        #[cfg(feature = "turning")]
         Kind::Numbers => json!({ "name": f.name, "type": "numbers", "default": [] }),
+        #[cfg(feature = "turning")]
         Kind::Text => json!({ "name": f.name, "type": "text", "default": "" }),
     };
     if let Some((choice, words)) = f.when {
@@ -94,6 +96,7 @@ pub(super) fn complete(spec: &mut Map<String, Value>, groups: &'static [Group]) 
 const MOST_POINTS: usize = 1000;
 
 /// A height map of two thousand numbers a side.
+#[cfg(feature = "turning")]
 const MOST_NUMBERS: usize = 4_000_000;
 
 fn default(field: &Field) -> Value {
@@ -101,7 +104,10 @@ fn default(field: &Field) -> Value {
         Kind::Number { default, .. } => default.into(),
         Kind::Choice { default, .. } => default.into(),
         Kind::Flag(default) => default.into(),
-        Kind::Points | Kind::Numbers => Value::Array(Vec::new()),
+        Kind::Points => Value::Array(Vec::new()),
+        #[cfg(feature = "turning")]
+        Kind::Numbers => Value::Array(Vec::new()),
+        #[cfg(feature = "turning")]
         Kind::Text => "".into(),
     }
 }
@@ -123,7 +129,9 @@ fn check(field: &Field, value: &Value) -> Result<(), String> {
                 Err("must be true or false".into())
             }
         }
+        #[cfg(feature = "turning")]
         Kind::Text => value.as_str().map(|_| ()).ok_or_else(|| "must be text".into()),
+        #[cfg(feature = "turning")]
         Kind::Numbers => match value.as_array() {
             Some(list) if list.len() <= MOST_NUMBERS && list.iter().all(Value::is_number) => Ok(()),
             _ => Err(format!("must be a list of up to {MOST_NUMBERS} numbers")),

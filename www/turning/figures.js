@@ -37,10 +37,9 @@ export function createFigures(root) {
 
 /** @param {Verified} verified @param {any} spec */
 function verdict({ residue, overcut, uncut }, { tolerance }) {
-  const most = tolerance.residue_mm + tolerance.chord_mm;
   // A nanometre is what the program rounds to.
   const low = -tolerance.chord_mm - 1e-6;
-  const isGood = residue && overcut && residue.mm <= most && overcut.mm >= low && uncut === 0;
+  const isGood = residue && overcut && residue.mm <= tolerance.residue_mm && overcut.mm >= low && uncut === 0;
   return h(
     'p',
     { class: `verdict ${isGood ? 'good' : 'bad'}` },

@@ -20,12 +20,12 @@ pub(super) struct BallSweep {
     /// How far it is at most from the straight line between them.
     bulges: Vec<f64>,
     tree: Bvh,
-    planes: Vec<Plane>,
+    /// Of the children of each node, the pair that begins with node 2 k + 1 at k.
+    sisters: Vec<Sisters>,
 }
 
-/// Where the nose centres of a node are: in a ball, and above a plane. One line of the cache holds it.
+/// Where the nose centres of a node are: in a ball, and above a plane.
 #[derive(Debug, Clone, Copy)]
-#[repr(align(64))]
 struct Plane {
     /// Unit normal, pointing up.
     normal: DVec3,
@@ -58,7 +58,9 @@ impl BallSweep {
         let boxes: Vec<Aabb> = ends.iter().map(|e| Aabb::around(*e)).collect();
         let tree = Bvh::new(&boxes, LEAF);
         let planes = planes(&tree, &ends, &bulges);
-        Self { radius, search, moves, ends, bulges, tree, planes }
+        // The tree numbers children in pairs after the root.
+        let sisters = planes[1..].chunks_exact(2).map(|two| Sisters::new(&two[0], &two[1])).collect();
+        Self { radius, search, moves, ends, bulges, tree, sisters }
     }
 
     /// The residue over `p` along the unit vector `n`. `seeker` remembers the move that left the least at a place nearby: looked
@@ -71,7 +73,8 @@ impl BallSweep {
         // Depth first, the nearer child first: with a good start nothing is gained by keeping all that is open in order.
         let open = &mut seeker.open;
         open.clear();
-        open.push((self.planes[0].least(q, n, r), 0));
+        open.push((f64::NEG_INFINITY, 0));
+        let bend = 1.0 / r;
         while let Some((least, node)) = open.pop() {
             if least >= best {
                 continue;
@@ -88,7 +91,8 @@ impl BallSweep {
                 }
                 continue;
             };
-            let [a, b] = children.map(|child| (self.planes[child].least(q, n, r), child));
+            let [first, second] = self.sisters[children[0] / 2].least(q, n, bend);
+            let (a, b) = ((first, children[0]), (second, children[1]));
             let (near, far) = if a.0 <= b.0 { (a, b) } else { (b, a) };
             for child in [far, near] {
                 if child.0 < best {
@@ -177,26 +181,46 @@ impl Sweep for BallSweep {
     }
 }
 
-impl Plane {
-    /// No residue of a centre under this node is below this. `q` is where the centre would be if the ball touched, `n` the
-    /// normal there.
-    fn least(&self, q: DVec3, n: DVec3, r: f64) -> f64 {
-        let bend = 1.0 / r;
-        let to = self.middle - q;
-        let along = to.dot(n);
-        let aside = to.length_squared() - along * along;
-        // Most nodes that are looked at have the line in their ball, and need no root for it.
-        let near = if aside > self.around * self.around { aside.sqrt() - self.around } else { 0.0 };
-        if near >= r {
-            return f64::INFINITY;
+/// The planes of two sisters, number beside number, so that the processor bounds both at once.
+#[derive(Debug, Clone, Copy)]
+#[repr(align(64))]
+struct Sisters {
+    normal: [[f64; 2]; 3],
+    middle: [[f64; 2]; 3],
+    around: [f64; 2],
+    below: [f64; 2],
+}
+
+impl Sisters {
+    fn new(a: &Plane, b: &Plane) -> Self {
+        let both = |v: DVec3, w: DVec3| [[v.x, w.x], [v.y, w.y], [v.z, w.z]];
+        Self {
+            normal: both(a.normal, b.normal),
+            middle: both(a.middle, b.middle),
+            around: [a.around, b.around],
+            below: [a.below, b.below],
         }
-        // From the middle a centre goes down by at most `below` along the plane's normal and by `around` along the plane, which
-        // n sees by its cosine and sine; whatever n is, by no more than `around`.
-        let cos = n.dot(self.normal);
-        let sin = (1.0 - cos * cos).max(0.0).sqrt();
-        let down =
-            if cos > 0.0 { (cos * self.below + sin * self.around).min(self.around) } else { self.around };
-        along - down + 0.5 * near * near * bend
+    }
+
+    /// No residue of a centre under either node is below this. `q` is where the centre would be if the ball touched, `n` the
+    /// normal there, `bend` 1/r.
+    ///
+    /// From the middle a centre goes down by at most `below` along the plane's normal and by `around` along the plane, which n
+    /// sees by its cosine and sine; whatever n is, by no more than `around`.
+    #[inline(always)]
+    fn least(&self, q: DVec3, n: DVec3, bend: f64) -> [f64; 2] {
+        std::array::from_fn(|k| {
+            let (x, y, z) = (self.middle[0][k] - q.x, self.middle[1][k] - q.y, self.middle[2][k] - q.z);
+            let along = x * n.x + y * n.y + z * n.z;
+            let aside = (x * x + y * y + z * z - along * along).max(0.0).sqrt();
+            let near = (aside - self.around[k]).max(0.0);
+            let cos = self.normal[0][k] * n.x + self.normal[1][k] * n.y + self.normal[2][k] * n.z;
+            let sin = (1.0 - cos * cos).max(0.0).sqrt();
+            let down = cos.max(0.0) * self.below[k] + sin * self.around[k];
+            // A plane seen from behind says nothing.
+            let down = if cos > 0.0 { down.min(self.around[k]) } else { self.around[k] };
+            along - down + 0.5 * near * near * bend
+        })
     }
 }
 
