@@ -5,10 +5,12 @@
  */
 
 import { createForm } from './form.js';
+import { createKeeping } from './keeping.js';
 import { createOpener, LARGEST_FILE } from './opening.js';
 import { Cancelled, createPlanner, PlannerError } from './protocol.js';
 import { createSession } from './session.js';
-import { read, withFittingVariants, withVariant, write } from './spec.js';
+import { BadLink, isLink, opened } from './share/link.js';
+import { completed, read, withFittingVariants, withVariant, write } from './spec.js';
 import { createState } from './state.js';
 import { t } from './text/index.js';
 import { createAction } from './view/action.js';
@@ -16,9 +18,12 @@ import { createStepoverChart } from './view/chart-stepover.js';
 import { createContact } from './view/contact.js';
 import { attribute, h, icon } from './view/dom.js';
 import { createDownloads } from './view/downloads.js';
+import { createKeys } from './view/keys.js';
 import { createLegend } from './view/legend.js';
 import { createNotice } from './view/notice.js';
+import { createPlayback } from './view/playback.js';
 import { createResults } from './view/results.js';
+import { createShare } from './view/share.js';
 import { createSource } from './view/source.js';
 import { createTools } from './view/tools.js';
 import moduleAddress from './wasm/stepover_bg.wasm?url';
@@ -41,7 +46,7 @@ async function compile() {
 const planner = createPlanner(compile);
 const state = createState(render);
 const session = createSession(planner, state, {
-  onProblem: (problem) => show({ ...problem, message: problem.code === 'unit' ? t('fault.unit') : '' }),
+  onProblem: complain,
   onError: fail,
 });
 const open = createOpener(planner, state, {
@@ -52,6 +57,9 @@ const open = createOpener(planner, state, {
 /** @type {{ update: (state: State) => void, look: (view: string) => void } | null} */
 let canvas = null;
 let isDrawn = false;
+/** In a frame of another page there is the picture alone. */
+const isEmbedded = new URLSearchParams(location.search).has('embed');
+document.documentElement.classList.toggle('embedded', isEmbedded);
 
 const undo = h(
   'button',
@@ -68,6 +76,13 @@ attribute(redo, 'aria-label', t('action.redo'));
 undo.title = t('action.undo');
 redo.title = t('action.redo');
 place('history').append(undo, redo);
+createShare(place('history'), () => state.get());
+const keys = createKeys(document.body);
+const help = h('button', { type: 'button', class: 'quiet', name: 'keys', onclick: keys.show }, '?');
+attribute(help, 'aria-label', t('keys.title'));
+help.title = t('keys.title');
+place('history').append(help);
+const keeping = createKeeping({ onFull: () => show({ code: 'full', message: '' }) });
 
 const source = createSource(place('source'), {
   onPick: pick,
@@ -84,25 +99,27 @@ const form = createForm(place('settings'), {
   onChart: () => editChart({ isOpen: true }),
   onPicking: (path) => state.set({ picking: state.get().picking === path ? null : path }),
 });
+const downloads = createDownloads(place('save'));
+const playback = createPlayback(place('scrub'), { onAt: (at) => state.set({ at }) });
 const views = [
+  playback,
   source,
   form,
   createAction(place('action'), { onPlan: session.plan, onCancel: () => planner.cancel() }),
   createNotice(place('notice'), { onClose: () => state.set({ problem: null }) }),
   createResults(place('results')),
   createContact(place('contact')),
-  createDownloads(place('save')),
+  downloads,
   createLegend(place('legend')),
   createStepoverChart(place('chart'), {
     onClose: () => editChart({ isOpen: false }),
     onRadius: (radius) => editChart({ radius }),
   }),
   createTools(
-    { views: place('views'), layers: place('layers'), scrub: place('scrub') },
+    { views: place('views'), layers: place('layers') },
     {
       onView: (view) => canvas?.look(view),
       onLayers: (layers) => state.set({ layers }),
-      onAt: (at) => state.set({ at }),
     },
   ),
 ];
@@ -118,6 +135,8 @@ function render(now) {
   if (isDrawn && (now.outcome || now.problem)) document.documentElement.dataset.ready = '';
   attribute(document.documentElement, 'data-job', now.job?.op ?? null);
   session.refresh(now);
+  // What is looked at in a course page is nobody's work.
+  if (!isEmbedded) keeping.update(now.draft);
 }
 
 /** @param {Spec} spec @param {string} what */
@@ -193,6 +212,39 @@ function fail(error) {
   show({ code, message: text, field });
 }
 
+/** Says what keeps a plan from starting. @param {Problem} problem */
+function complain({ code, message, field }) {
+  if (code === 'job_file') show({ code: '', message: t('error.job_file', { name: message }) });
+  else show({ code, message: code === 'unit' ? t('fault.unit') : '', field });
+}
+
+/** Opens the link in the address; whether there was one that could be opened. */
+async function openLink() {
+  const fragment = location.hash;
+  const { schema } = state.get();
+  if (!isLink(fragment) || !schema) return false;
+  try {
+    const shared = await opened(fragment);
+    if (shared.spec.version !== schema.version) throw new BadLink('new');
+    load({
+      spec: completed(schema, shared.spec),
+      source: { id: null, name: shared.name, bytes: null, info: null },
+    });
+    const { draft } = state.get();
+    state.set({ outcome: shared.outcome, planned: draft, picture: shared.outcome?.picture ?? null });
+    document.title = `${shared.name} – ${t('title')}`;
+    if (!shared.isPreview) session.plan();
+    return true;
+  } catch (error) {
+    if (!(error instanceof BadLink)) throw error;
+    show({ code: '', message: t(`error.link.${error.code}`) });
+    return false;
+  } finally {
+    // From here on the work is kept in this browser. An embedded picture may be loaded again.
+    if (!isEmbedded) history.replaceState(null, '', location.pathname + location.search);
+  }
+}
+
 /** Says what is wrong: at its field if there is one. @param {Problem} problem */
 function show(problem) {
   state.set({ problem });
@@ -223,18 +275,31 @@ function acceptDrops() {
   });
 }
 
+/** What keys do, by their names; with Ctrl or ⌘ where that is part of the name. @type {Record<string, () => void>} */
+const SHORTCUTS = {
+  'ctrl enter': () => session.plan(),
+  'ctrl z': () => state.undo(),
+  'ctrl shift z': () => state.redo(),
+  'ctrl y': () => state.redo(),
+  'ctrl s': () => downloads.saveJob(),
+  'ctrl o': () => source.pickFile(),
+  ' ': () => playback.toggle(),
+  ',': () => playback.step(-1),
+  '.': () => playback.step(1),
+  '?': () => keys.show(),
+};
+
 function acceptKeys() {
   addEventListener('keydown', (event) => {
-    if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
-    const key = event.key.toLowerCase();
-    const act =
-      key === 'enter'
-        ? session.plan
-        : key === 'z' && !event.shiftKey
-          ? state.undo
-          : key === 'y' || key === 'z'
-            ? state.redo
-            : null;
+    if (event.altKey) return;
+    const { target } = event;
+    const isCommand = event.ctrlKey || event.metaKey;
+    // Elsewhere a letter is a letter, and the space bar presses what has the focus.
+    const isTyping =
+      target instanceof Element && target.closest('input, select, textarea, button, summary, a, dialog');
+    if (!isCommand && isTyping) return;
+    const shift = isCommand && event.shiftKey ? 'shift ' : '';
+    const act = SHORTCUTS[(isCommand ? 'ctrl ' : '') + shift + event.key.toLowerCase()];
     if (!act) return;
     event.preventDefault();
     act();
@@ -264,7 +329,17 @@ async function start() {
   try {
     const { schema, gallery } = await planner.call('start', []);
     state.set({ schema, gallery });
-    if (gallery.length > 0) pick(gallery[0].id);
+    addEventListener('hashchange', () => openLink().catch(fail));
+    if (!(await openLink())) {
+      // A broken link is told of, and work goes on where it was.
+      const { problem } = state.get();
+      const kept = isEmbedded ? null : await keeping.restore();
+      if (kept) {
+        load({ ...kept, spec: completed(schema, kept.spec) });
+        session.plan();
+      } else if (gallery.length > 0) pick(gallery[0].id);
+      if (problem) show(problem);
+    }
   } catch (error) {
     fail(error);
   }

@@ -24,6 +24,9 @@ function withUnit(value, unit) {
 /** @param {number} mm */
 export const length = (mm) => withUnit(mm, 'mm');
 
+/** @param {number} mmPerMin */
+export const feed = (mmPerMin) => `${fixed(mmPerMin, 0)}${SPACE}mm/min`;
+
 /** @param {number} value */
 export const degrees = (value) => `${fixed(value, 1)}°`;
 

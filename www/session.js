@@ -44,7 +44,8 @@ export function createSession(planner, state, { onProblem, onError }) {
 
   /** Draws the surface again when what it is made from changed. @param {State} now */
   async function refreshPicture({ draft }) {
-    if (!draft) return;
+    // Of a file that did not travel there is nothing to draw but the preview.
+    if (!draft || (draft.spec.source.kind === 'file' && !draft.source.bytes)) return;
     const key = { source: draft.spec.source, bytes: draft.source.bytes, done: false };
     if (pictured.source === key.source && pictured.bytes === key.bytes) return;
     pictured = key;
@@ -140,7 +141,7 @@ export function createSession(planner, state, { onProblem, onError }) {
     state.set({ outcome: planned, planned: draft, at: 1 });
     const proved = await planner.call('prove', [], stage(PLANNING, 1));
     if (state.get().outcome !== planned) return;
-    const outcome = { ...planned, ...proved, files: { ...planned.files, ...proved.files } };
+    const outcome = { ...planned, ...proved, files: planned.files && { ...planned.files, ...proved.files } };
     state.set({ outcome, picture: outcome.picture ?? state.get().picture });
   }
 
@@ -159,6 +160,10 @@ export function createSession(planner, state, { onProblem, onError }) {
       const { draft, schema } = state.get();
       if (!draft || !schema) return;
       const problem = firstProblem(schema, draft);
+      if (draft.spec.source.kind === 'file' && !draft.source.bytes) {
+        onProblem({ code: 'job_file', message: draft.source.name });
+        return;
+      }
       if (problem) {
         onProblem(problem);
         return;

@@ -32,7 +32,8 @@
  *
  * @typedef {{ report: Report, seconds: number, proofSeconds: number | null, path: Float32Array,
  *   contacts: Float32Array, postures: Float32Array, zones: Float32Array, zoneEdge: number, outline: Float32Array, picture: Picture | null, excess: Float32Array | null,
- *   files: { apt: Blob, nc: Blob | null, csv: Blob, report: Blob } }} Outcome
+ *   files: { apt: Blob, nc: Blob | null, csv: Blob, report: Blob } | null, isPreview?: boolean }} Outcome
+ * A preview came by link: it has no files, tips at the contacts, and a path that is simplified.
  * `path` has eight numbers a point: tip x, y, z, axis i, j, k, kind (0 cut, 1 link, 2 rapid), length so far.
  * `contacts` has three: where the cutter touches, or the tip on links. `postures` has four: lead and yaw in degrees, the width of
  * the strip in millimetres, and the number of what keeps the lead from being less; not numbers where it touches nothing. `excess` has one a vertex of the picture; both come with

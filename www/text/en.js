@@ -207,6 +207,33 @@ export default {
   'results.surface': 'Surface',
   'results.warnings': 'Worth knowing',
 
+  'results.preview':
+    'A preview that came by link: its passes are simplified, its figures are those of the whole path.',
+
+  'share.open': 'Share',
+  'share.title': 'Share by link',
+  'share.link': 'Link',
+  'share.copy': 'Copy',
+  'share.copied': 'Copied',
+  'share.frame': 'For a course page',
+  'share.file': 'Save the job as a file',
+  'share.whole':
+    'The link holds the whole job. Whoever opens it sees the path at once, and the planner there plans it again. Nothing is sent to a server.',
+  'share.preview':
+    'The surface of a file is too large for a link: this one holds a preview, with passes, colours and results, that cannot be planned again.',
+  'share.unplanned': 'The surface of a file is too large for a link. Plan the path first: its preview fits.',
+  'share.size': '{letters} letters.',
+  'share.precision': 'Its preview is exact to {precision}.',
+  'share.long': 'More than {wished}, which some programs cut off.',
+  'share.too_long': 'More than {most} are too many for a link.',
+
+  'keys.title': 'Keyboard shortcuts',
+  'keys.save': 'Save the job',
+  'keys.play': 'Play or pause',
+  'keys.step': 'One move back or on',
+  'keys.turn': 'Turn the picture',
+  'keys.zoom': 'Zoom the picture',
+
   'save.title': 'Save',
   'save.apt': 'APT path',
   'save.nc': 'G-code',
@@ -233,7 +260,13 @@ export default {
   'scrub.label': 'Position on the path',
   'scrub.play': 'Play',
   'scrub.pause': 'Pause',
-  'scrub.at': '{at} of {all}',
+  'scrub.back': 'One move back',
+  'scrub.on': 'One move on',
+  'scrub.speed': 'Speed, times that of the machine',
+  'scrub.kind.cut': 'cutting',
+  'scrub.kind.link': 'link',
+  'scrub.kind.rapid': 'rapid',
+  'scrub.at': '{time} of {all} · {at} · {kind}, {feed}',
 
   'tint.label': 'Colour',
   'tint.none': 'None',
@@ -270,6 +303,13 @@ export default {
   'error.too_big': '{name} has {size}; the most is {limit}.',
   'error.no_face': '{name} holds no surface that could be cut.',
   'error.job_file': 'This job cuts {name}: drop that file together with it.',
+  'error.full':
+    'This browser has no room left: what you do from here on is not kept. Save the job as a file.',
+  'error.link.cut': 'The link is not whole: letters are missing or changed. What you had is still here.',
+  'error.link.new':
+    'The link is of a newer version of this page. Reload to get that. What you had is still here.',
+  'error.link.large': 'The link holds more than is allowed. What you had is still here.',
+  'error.link.odd': 'The link holds no job. What you had is still here.',
   'error.trap': 'The planner stopped unexpectedly ({message}). What you loaded is still here.',
   'error.compile': 'The planner could not be loaded ({message}). Reload the page to try again.',
   'error.worker': 'The planner could not be started. Reload the page to try again.',

@@ -206,7 +206,8 @@ export function createCanvas3d(root, { onFace, onAt, onPoint }) {
     const { point, tip, axis } = locate(outcome.path, place);
     path.upTo(at >= 1 ? Infinity : point);
     cutter.place(tip, axis);
-    cutter.show(layers.cutter);
+    // A preview tells where the cutter touches, not how it stands.
+    cutter.show(layers.cutter && !outcome.isPreview);
   }
 
   return {

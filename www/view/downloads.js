@@ -17,29 +17,41 @@ export function createDownloads(root) {
   let shownOutcome;
   /** @type {unknown} */
   let shownDraft;
+  /** @type {Draft | null} */
+  let last = null;
 
   return {
+    /** Saves the job as it is in the form. */
+    saveJob() {
+      if (last) save(jobOf(last), `${stem(last)}.job.json`);
+    },
+
     /** @param {State} state */
     update({ outcome, draft, planned }) {
       if (outcome === shownOutcome && draft === shownDraft) return;
       shownOutcome = outcome;
       shownDraft = draft;
+      last = draft;
       if (!draft) return;
       const subject = planned ?? draft;
       /** @type {Item[]} */
       const items = [];
-      if (outcome) {
+      if (outcome?.files) {
         const { apt, nc, csv, report } = outcome.files;
         items.push({ id: 'apt', ending: 'apt', blob: apt });
         if (nc) items.push({ id: 'nc', ending: 'nc', blob: nc });
         items.push({ id: 'csv', ending: 'csv', blob: csv });
         items.push({ id: 'report', ending: 'report.json', blob: report });
       }
-      const job = new Blob([`${JSON.stringify(draft.spec, null, 2)}\n`], { type: 'application/json' });
-      items.push({ id: 'spec', ending: 'job.json', blob: job });
+      items.push({ id: 'spec', ending: 'job.json', blob: jobOf(draft) });
       list.replaceChildren(...items.map((item) => button(item, subject)));
     },
   };
+}
+
+/** The job as a file. @param {Draft} draft */
+export function jobOf(draft) {
+  return new Blob([`${JSON.stringify(draft.spec, null, 2)}\n`], { type: 'application/json' });
 }
 
 /** @param {Item} item @param {Draft} draft */
@@ -54,13 +66,13 @@ function button({ id, ending, blob }, draft) {
 }
 
 /** A file name from the job's name: what any system can store. @param {Draft} draft */
-function stem(draft) {
+export function stem(draft) {
   const name = draft.source.name || draft.spec.name || 'path';
   return name.replace(/\.[^.]*$/, '').replace(/[^\p{L}\p{N}_-]+/gu, '-') || 'path';
 }
 
 /** @param {Blob} blob @param {string} name */
-function save(blob, name) {
+export function save(blob, name) {
   const href = URL.createObjectURL(blob);
   h('a', { href, download: name }).click();
   // The browser has taken the blob by then.

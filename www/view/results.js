@@ -11,9 +11,10 @@ import { h, icon } from './dom.js';
 /** @param {HTMLElement} root */
 export function createResults(root) {
   const stale = h('p', { class: 'stale' }, t('results.stale'));
+  const preview = h('p', { class: 'preview' }, t('results.preview'));
   const body = h('div', { class: 'figures' });
   const empty = h('p', { class: 'help' }, t('results.empty'));
-  root.append(stale, empty, body);
+  root.append(stale, preview, empty, body);
   /** @type {Outcome | null} */
   let shown = null;
   let wasProving = false;
@@ -23,6 +24,7 @@ export function createResults(root) {
     update({ outcome, draft, planned, job }) {
       empty.hidden = outcome !== null;
       body.hidden = outcome === null;
+      preview.hidden = !outcome?.isPreview;
       stale.hidden = outcome === null || draft === planned;
       root.classList.toggle('old', !stale.hidden);
       const isProving = job?.op === 'plan' && job.draft === planned;
@@ -36,7 +38,7 @@ export function createResults(root) {
 }
 
 /** @param {Outcome} outcome @param {number} chord The deepest gouge that was allowed, millimetres. @param {boolean} isProving */
-function figures({ report, seconds, proofSeconds }, chord, isProving) {
+function figures({ report, seconds, proofSeconds, isPreview }, chord, isProving) {
   const { area_mm2: missed, unseen_mm2: unseen } = report.unreachable;
   const reached = report.area_mm2 > 0 ? Math.max(0, 1 - missed / report.area_mm2) : 1;
   return [
@@ -63,7 +65,7 @@ function figures({ report, seconds, proofSeconds }, chord, isProving) {
       ['links', t('results.links'), format.length(report.length.link_mm)],
       ['rapids', t('results.rapids'), format.length(report.length.rapid_mm)],
       ['points', t('results.points'), format.count(report.points)],
-      ['computed', t('results.computed'), format.seconds(seconds)],
+      ...(isPreview ? [] : [row('computed', t('results.computed'), format.seconds(seconds))]),
       ...(proofSeconds === null ? [] : [row('proved', t('results.proved'), format.seconds(proofSeconds))]),
     ]),
     report.warnings.length > 0 &&

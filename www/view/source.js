@@ -94,6 +94,8 @@ export function createSource(root, { onPick, onFiles, onSide, limit, ...onFile }
       say(side, t(`surface.side.${state.draft.spec.source.side ?? 'front'}`));
     },
 
+    pickFile: () => picker.click(),
+
     /** Puts the cursor on the question for the unit. */
     focusUnit() {
       const first = root.querySelector('input[name="source.unit"]');

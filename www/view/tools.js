@@ -1,11 +1,10 @@
 /**
- * The picture's controls: standard views, layers, and the position on the path.
+ * The picture's controls: standard views and layers.
  *
  * @import { State, Layers, TintName } from '../types.js'
  */
-import { length } from '../format.js';
 import { t } from '../text/index.js';
-import { attribute, h, icon, say } from './dom.js';
+import { attribute, h } from './dom.js';
 import { TINTS, tintsOf } from './tint.js';
 
 const VIEWS = /** @type {const} */ (['fit', 'iso', 'top', 'front']);
@@ -17,17 +16,14 @@ const LAYERS = /** @type {('passes' | 'links' | 'rapids' | 'zones' | 'cutter' | 
   'cutter',
   'side',
 ]);
-/** Playing shows the whole path in this time. */
-const PLAY_SECONDS = 20;
-const STEPS = 10_000;
 
 /** @typedef {(typeof VIEWS)[number]} ViewName */
 
 /**
- * @param {{ views: HTMLElement, layers: HTMLElement, scrub: HTMLElement }} roots
- * @param {{ onView: (view: ViewName) => void, onLayers: (layers: Layers) => void, onAt: (at: number) => void }} callbacks
+ * @param {{ views: HTMLElement, layers: HTMLElement }} roots
+ * @param {{ onView: (view: ViewName) => void, onLayers: (layers: Layers) => void}} callbacks
  */
-export function createTools(roots, { onView, onLayers, onAt }) {
+export function createTools(roots, { onView, onLayers }) {
   roots.views.append(
     ...VIEWS.map((view) =>
       h('button', { type: 'button', name: `view-${view}`, onclick: () => onView(view) }, t(`canvas.${view}`)),
@@ -61,57 +57,6 @@ export function createTools(roots, { onView, onLayers, onAt }) {
   const tinting = h('label', {}, t('tint.label'), tint);
   roots.layers.prepend(tinting);
 
-  const slider = h('input', {
-    type: 'range',
-    min: 0,
-    max: STEPS,
-    step: 1,
-    name: 'at',
-    'aria-label': t('scrub.label'),
-    oninput: () => {
-      pause();
-      onAt(slider.valueAsNumber / STEPS);
-    },
-  });
-  const play = h('button', { type: 'button', class: 'quiet', name: 'play', onclick: toggle });
-  const readout = h('output', {});
-  roots.scrub.append(play, slider, readout);
-  let playing = 0;
-  let lastFrame = 0;
-
-  function toggle() {
-    if (playing) {
-      pause();
-      return;
-    }
-    if ((last?.at ?? 1) >= 1) onAt(0);
-    lastFrame = performance.now();
-    playing = requestAnimationFrame(advance);
-    showPlay();
-  }
-
-  function pause() {
-    cancelAnimationFrame(playing);
-    playing = 0;
-    showPlay();
-  }
-
-  /** @param {number} now */
-  function advance(now) {
-    const at = Math.min((last?.at ?? 1) + Math.max(now - lastFrame, 0) / 1000 / PLAY_SECONDS, 1);
-    lastFrame = now;
-    playing = requestAnimationFrame(advance);
-    onAt(at);
-    if (at >= 1) pause();
-  }
-
-  function showPlay() {
-    const name = playing ? 'pause' : 'play';
-    attribute(play, 'aria-label', t(`scrub.${name}`));
-    play.replaceChildren(icon(name));
-  }
-  showPlay();
-
   /** @param {Layers} layers @param {State} state */
   function showToggles(layers, state) {
     roots.layers.hidden = state.outcome === null;
@@ -122,6 +67,7 @@ export function createTools(roots, { onView, onLayers, onAt }) {
         !outcome ||
         (layer === 'links' && !outcome.report.length.link_mm) ||
         (layer === 'rapids' && !outcome.report.length.rapid_mm) ||
+        (layer === 'cutter' && outcome.isPreview) ||
         (layer === 'zones' && outcome.zones.length === 0);
     }
   }
@@ -141,17 +87,7 @@ export function createTools(roots, { onView, onLayers, onAt }) {
     update(state) {
       if (last?.outcome !== state.outcome || last?.layers !== state.layers) showTints(state);
       last = state;
-      const { outcome, at } = state;
       showToggles(state.layers, state);
-      roots.scrub.hidden = outcome === null;
-      if (!outcome) {
-        if (playing) pause();
-        return;
-      }
-      const all = outcome.path[outcome.path.length - 1] ?? 0;
-      slider.value = String(Math.round(at * STEPS));
-      attribute(slider, 'aria-valuetext', length(at * all));
-      say(readout, t('scrub.at', { at: length(at * all), all: length(all) }));
     },
   };
 }

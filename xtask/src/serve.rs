@@ -13,8 +13,11 @@ use std::time::Duration;
 /// What the page may do. `index.html` states the same (less `frame-ancestors`, which only a header can), so that a
 /// host without headers is as strict. `'wasm-unsafe-eval'` is what compiling WebAssembly is called.
 const POLICY: &str = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; \
-     img-src 'self'; connect-src 'self'; worker-src 'self'; base-uri 'none'; form-action 'none'; \
-     frame-ancestors 'none'";
+     img-src 'self'; connect-src 'self'; worker-src 'self'; manifest-src 'self'; \
+     base-uri 'none'; form-action 'none'";
+
+/// Only the view that is made for frames may stand in one of another page.
+const UNFRAMED: &str = "; frame-ancestors 'none'";
 
 const FIRST_PORT: u16 = 8080;
 /// A request line and headers longer than this are nobody's browser.
@@ -74,7 +77,7 @@ fn answer(mut stream: TcpStream, folder: &Path) -> std::io::Result<()> {
     let found = locate(folder, target).and_then(|path| fs::read(&path).ok().map(|bytes| (path, bytes)));
     match found {
         Some((path, bytes)) => {
-            let kind = Kind { mime: kind(&path), keeps: keeps(&path) };
+            let kind = Kind { mime: kind(&path), keeps: keeps(&path), frames: frames(target) };
             respond(&mut stream, "200 OK", kind, &bytes, method == "GET")
         }
         None => respond(&mut stream, "404 Not Found", TEXT, b"not here\n", method == "GET"),
@@ -86,9 +89,11 @@ struct Kind {
     mime: &'static str,
     /// Whether its address names its content, so that it never changes.
     keeps: bool,
+    /// Whether another page may show it in a frame.
+    frames: bool,
 }
 
-const TEXT: Kind = Kind { mime: "text/plain", keeps: false };
+const TEXT: Kind = Kind { mime: "text/plain", keeps: false, frames: false };
 
 fn respond(
     stream: &mut TcpStream,
@@ -101,11 +106,12 @@ fn respond(
         stream,
         "HTTP/1.1 {status}\r\nContent-Type: {}\r\nContent-Length: {}\r\nConnection: close\r\n\
          Cache-Control: {}\r\nX-Content-Type-Options: nosniff\r\nReferrer-Policy: no-referrer\r\n\
-         Cross-Origin-Opener-Policy: same-origin\r\nContent-Security-Policy: {POLICY}\r\n\r\n",
+         Cross-Origin-Opener-Policy: same-origin\r\nContent-Security-Policy: {POLICY}{}\r\n\r\n",
         kind.mime,
         body.len(),
         // A browser also keeps the machine code of a module whose bytes it may keep.
         if kind.keeps { "public, max-age=31536000, immutable" } else { "no-cache" },
+        if kind.frames { "" } else { UNFRAMED },
     )?;
     if with_body {
         stream.write_all(body)?;
@@ -136,6 +142,10 @@ fn keeps(path: &Path) -> bool {
     path.parent().and_then(Path::file_name).is_some_and(|folder| folder == "assets")
 }
 
+fn frames(target: &str) -> bool {
+    target.split_once('?').is_some_and(|(_, query)| query.split('&').any(|part| part == "embed"))
+}
+
 fn kind(path: &Path) -> &'static str {
     match path.extension().and_then(|e| e.to_str()) {
         Some("html") => "text/html; charset=utf-8",
@@ -143,6 +153,7 @@ fn kind(path: &Path) -> &'static str {
         Some("css") => "text/css; charset=utf-8",
         Some("wasm") => "application/wasm",
         Some("svg") => "image/svg+xml",
+        Some("webmanifest") => "application/manifest+json",
         Some("json") => "application/json",
         Some("png") => "image/png",
         Some("txt") => "text/plain; charset=utf-8",
@@ -195,6 +206,6 @@ mod tests {
         let page = fs::read_to_string(root().join("www/index.html")).unwrap();
         let stated = page.split("http-equiv=\"Content-Security-Policy\"").nth(1).unwrap();
         let stated = stated.split('"').nth(1).unwrap().split_whitespace().collect::<Vec<_>>().join(" ");
-        assert_eq!(format!("{stated}; frame-ancestors 'none'"), POLICY);
+        assert_eq!(stated, POLICY);
     }
 }
