@@ -6,6 +6,7 @@
 
 import { createForm } from './form.js';
 import { createKeeping } from './keeping.js';
+import { keepOffline, update } from './offline.js';
 import { createOpener, LARGEST_FILE } from './opening.js';
 import { Cancelled, createPlanner, PlannerError } from './protocol.js';
 import { createSession } from './session.js';
@@ -82,6 +83,13 @@ const help = h('button', { type: 'button', class: 'quiet', name: 'keys', onclick
 attribute(help, 'aria-label', t('keys.title'));
 help.title = t('keys.title');
 place('history').append(help);
+const renew = h(
+  'button',
+  { type: 'button', class: 'small', name: 'update', onclick: update },
+  t('action.update'),
+);
+renew.hidden = true;
+place('history').prepend(renew);
 const keeping = createKeeping({ onFull: () => show({ code: 'full', message: '' }) });
 
 const source = createSource(place('source'), {
@@ -346,6 +354,10 @@ async function start() {
   await drawing;
   isDrawn = true;
   state.set({});
+  // Last: what it loads once more must not delay what somebody waits for.
+  keepOffline(() => {
+    renew.hidden = false;
+  });
 }
 
 start();

@@ -66,7 +66,9 @@ export function createSession(planner, state, { onProblem, onError }) {
     clearTimeout(timer);
     waiting = { picture: null, timer: 0 };
     // The path of another surface, or of its other side, has no place on this one.
-    if (picture) state.set({ picture, outcome: null, planned: null });
+    // What came by link stays on show until its path is there.
+    if (picture && state.get().outcome?.isPreview) state.set({ picture });
+    else if (picture) state.set({ picture, outcome: null, planned: null });
   }
 
   /** Draws the cutter of the form. @param {State} now */

@@ -1,4 +1,30 @@
+import { createHash } from 'node:crypto';
+import { readdirSync, readFileSync } from 'node:fs';
 import { defineConfig } from 'vite';
+
+/** Writes the service worker: it keeps all that the page consists of, in a cache named after its content. */
+function service() {
+  return {
+    name: 'service',
+    generateBundle(_, bundle) {
+      const version = createHash('sha256');
+      const names = Object.keys(bundle).sort();
+      // The names of assets tell their content; the page's own name does not.
+      version.update(names.join());
+      for (const name of names.filter((name) => name.endsWith('.html'))) version.update(bundle[name].source);
+      const fixed = readdirSync('public').sort();
+      for (const name of fixed) version.update(readFileSync(`public/${name}`));
+      const files = [
+        './',
+        ...[...names, ...fixed].filter((name) => !/\.(html|png)$/.test(name)).map((name) => `./${name}`),
+      ];
+      const source = readFileSync('service.js', 'utf8')
+        .replace('__VERSION__', version.digest('hex').slice(0, 16))
+        .replace('__FILES__', JSON.stringify(files));
+      this.emitFile({ type: 'asset', fileName: 'service.js', source });
+    },
+  };
+}
 
 export default defineConfig({
   // Relative addresses: the page works in any folder of any static host.
@@ -11,5 +37,6 @@ export default defineConfig({
     chunkSizeWarningLimit: 800,
     rolldownOptions: { input: ['index.html', 'turning.html'] },
   },
+  plugins: [service()],
   worker: { format: 'es' },
 });

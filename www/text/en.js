@@ -11,6 +11,7 @@ export default {
   'action.redo': 'Redo',
   'action.open': 'Open file…',
   'action.flip': 'Flip side',
+  'action.update': 'New version: reload',
   'action.close': 'Close',
   'action.pick': 'Pick on the surface',
 

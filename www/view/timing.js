@@ -16,11 +16,17 @@ const LENGTH = 7;
  */
 export function createTiming({ path }, feeds) {
   const points = path.length / STRIDE;
-  const speeds = [feeds.cut_mm_per_min, feeds.cut_mm_per_min, feeds.rapid_mm_per_min];
+  const kindOf = (/** @type {number} */ i) => path[STRIDE * i + KIND];
+  /** Of the move that ends at a point: the last one of a link goes down to the pass. @param {number} i */
+  const speed = (i) => {
+    if (kindOf(i) === 2) return feeds.rapid_mm_per_min;
+    const plunges = kindOf(i) === 1 && (i + 1 >= points || kindOf(i + 1) === 0);
+    return plunges ? feeds.plunge_mm_per_min : feeds.cut_mm_per_min;
+  };
   const minutes = new Float64Array(points);
   for (let i = 1; i < points; i += 1) {
     const length = path[STRIDE * i + LENGTH] - path[STRIDE * (i - 1) + LENGTH];
-    minutes[i] = minutes[i - 1] + length / (speeds[path[STRIDE * i + KIND]] || 1);
+    minutes[i] = minutes[i - 1] + length / (speed(i) || 1);
   }
   const length = (/** @type {number} */ i) => path[STRIDE * i + LENGTH];
   const all = points > 0 ? length(points - 1) : 0;
@@ -68,8 +74,8 @@ export function createTiming({ path }, feeds) {
     /** The feed of the move under way, mm a minute, and its kind. @param {number} at */
     moveAt(at) {
       const { point } = place(length, at * all);
-      const kind = points > 1 ? path[STRIDE * Math.min(point + 1, points - 1) + KIND] : 0;
-      return { kind, feed: speeds[kind] };
+      const next = Math.min(point + 1, points - 1);
+      return points > 1 ? { kind: kindOf(next), feed: speed(next) } : { kind: 0, feed: feeds.cut_mm_per_min };
     },
   };
 }

@@ -1,0 +1,39 @@
+/**
+ * Keeps the page for when there is no network: every file of one version, and no file of another.
+ *
+ * The bundler fills in the list and its version. A new version waits until the page that runs has gone, or its reader asks.
+ */
+
+const VERSION = '__VERSION__';
+/** @type {string[]} */
+const FILES = JSON.parse('__FILES__');
+
+const NAME = `stepover-${VERSION}`;
+const worker = /** @type {any} */ (globalThis);
+
+worker.addEventListener('install', (/** @type {any} */ event) => {
+  event.waitUntil(caches.open(NAME).then((cache) => cache.addAll(FILES)));
+});
+
+worker.addEventListener('activate', (/** @type {any} */ event) => {
+  event.waitUntil(
+    caches.keys().then((names) => {
+      const old = names.filter((name) => name.startsWith('stepover-') && name !== NAME);
+      return Promise.all(old.map((name) => caches.delete(name)));
+    }),
+  );
+});
+
+worker.addEventListener('message', (/** @type {any} */ event) => {
+  if (event.data === 'update') worker.skipWaiting();
+});
+
+worker.addEventListener('fetch', (/** @type {any} */ event) => {
+  if (event.request.method !== 'GET') return;
+  const answer = async () => {
+    const cache = await caches.open(NAME);
+    const found = await cache.match(event.request, { ignoreSearch: true });
+    return found ?? fetch(event.request);
+  };
+  event.respondWith(answer());
+});
