@@ -13,7 +13,7 @@ import { createSession } from './session.js';
 import { BadLink, isLink, opened } from './share/link.js';
 import { completed, read, withFittingVariants, withVariant, write } from './spec.js';
 import { createState } from './state.js';
-import { t } from './text/index.js';
+import { language, switchLanguage, t } from './text/index.js';
 import { createAction } from './view/action.js';
 import { createStepoverChart } from './view/chart-stepover.js';
 import { createContact } from './view/contact.js';
@@ -82,7 +82,19 @@ const keys = createKeys(document.body);
 const help = h('button', { type: 'button', class: 'quiet', name: 'keys', onclick: keys.show }, '?');
 attribute(help, 'aria-label', t('keys.title'));
 help.title = t('keys.title');
-place('history').append(help);
+const other = h(
+  'button',
+  {
+    type: 'button',
+    class: 'quiet',
+    name: 'language',
+    lang: language === 'zh' ? 'en' : 'zh',
+    onclick: switchLanguage,
+  },
+  t('action.language'),
+);
+document.documentElement.lang = t('locale');
+place('history').append(other, help);
 const renew = h(
   'button',
   { type: 'button', class: 'small', name: 'update', onclick: update },

@@ -12,6 +12,7 @@ export default {
   'action.open': 'Open file…',
   'action.flip': 'Flip side',
   'action.update': 'New version: reload',
+  'action.language': '中文',
   'action.close': 'Close',
   'action.pick': 'Pick on the surface',
 

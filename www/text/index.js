@@ -1,8 +1,33 @@
-/** Looks texts up. A second language is one more table beside `en.js`. */
+/** Looks texts up: in the language that was chosen, or else the system's. */
 import en from './en.js';
 
-/** @type {Record<string, string>} */
-const table = en;
+const KEY = 'language';
+
+/** @returns {'en' | 'zh'} */
+function preferred() {
+  try {
+    const stored = localStorage.getItem(KEY);
+    if (stored === 'en' || stored === 'zh') return stored;
+  } catch {
+    // Where nothing may be stored, the system says.
+  }
+  return navigator.language.toLowerCase().startsWith('zh') ? 'zh' : 'en';
+}
+
+export const language = preferred();
+
+/** Only who reads Chinese loads it. @type {Record<string, string>} */
+const table = language === 'zh' ? { ...en, ...(await import('./zh.js')).default } : en;
+
+/** Goes over to the other language; the work is kept. */
+export function switchLanguage() {
+  try {
+    localStorage.setItem(KEY, language === 'zh' ? 'en' : 'zh');
+  } catch {
+    return;
+  }
+  location.reload();
+}
 
 /**
  * The text with this id, its `{places}` filled; for an unknown id the text `fallback`, or the id.

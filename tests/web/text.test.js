@@ -1,0 +1,22 @@
+/** The tables of texts: nothing in one language that the other lacks, and the same places to fill. */
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import en from '../../www/text/en.js';
+import zh from '../../www/text/zh.js';
+
+/** Symbols, and names that the fields have anyway. */
+const COMMON = ['unit.mm', 'unit.cm', 'unit.m', 'choice.u', 'choice.v', 'results.q95', 'results.q99', 'save.size'];
+
+test('Chinese has every text that English has', () => {
+  const missing = Object.keys(en).filter((id) => !(id in zh) && !COMMON.includes(id));
+  assert.deepEqual(missing, []);
+  assert.deepEqual(
+    Object.keys(zh).filter((id) => !(id in en)),
+    [],
+  );
+});
+
+test('and the same places in each', () => {
+  const places = (text) => [...text.matchAll(/\{\w+\}/g)].map(String).sort();
+  for (const [id, text] of Object.entries(zh)) assert.deepEqual(places(text), places(en[id]), id);
+});
