@@ -16,7 +16,7 @@ function service() {
       for (const name of fixed) version.update(readFileSync(`public/${name}`));
       const files = [
         './',
-        ...[...names, ...fixed].filter((name) => !/\.(html|png)$/.test(name)).map((name) => `./${name}`),
+        ...[...names, ...fixed].filter((name) => !/\.(html|jpg)$/.test(name)).map((name) => `./${name}`),
       ];
       const source = readFileSync('service.js', 'utf8')
         .replace('__VERSION__', version.digest('hex').slice(0, 16))

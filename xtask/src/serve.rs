@@ -156,6 +156,7 @@ fn kind(path: &Path) -> &'static str {
         Some("webmanifest") => "application/manifest+json",
         Some("json") => "application/json",
         Some("png") => "image/png",
+        Some("jpg") => "image/jpeg",
         Some("txt") => "text/plain; charset=utf-8",
         _ => "application/octet-stream",
     }
