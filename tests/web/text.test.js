@@ -5,7 +5,16 @@ import en from '../../www/text/en.js';
 import zh from '../../www/text/zh.js';
 
 /** Symbols, and names that the fields have anyway. */
-const COMMON = ['unit.mm', 'unit.cm', 'unit.m', 'choice.u', 'choice.v', 'results.q95', 'results.q99', 'save.size'];
+const COMMON = [
+  'unit.mm',
+  'unit.cm',
+  'unit.m',
+  'choice.u',
+  'choice.v',
+  'results.q95',
+  'results.q99',
+  'save.size',
+];
 
 test('Chinese has every text that English has', () => {
   const missing = Object.keys(en).filter((id) => !(id in zh) && !COMMON.includes(id));
