@@ -33,7 +33,13 @@ worker.addEventListener('fetch', (/** @type {any} */ event) => {
   const answer = async () => {
     const cache = await caches.open(NAME);
     const found = await cache.match(event.request, { ignoreSearch: true });
-    return found ?? fetch(event.request);
+    if (found) return found;
+    const fetched = await fetch(event.request);
+    // What a first visit does not need, such as the turning page, is kept once it was used.
+    if (fetched.ok && new URL(event.request.url).origin === location.origin) {
+      await cache.put(event.request, fetched.clone());
+    }
+    return fetched;
   };
   event.respondWith(answer());
 });

@@ -14,10 +14,9 @@ function service() {
       for (const name of names.filter((name) => name.endsWith('.html'))) version.update(bundle[name].source);
       const fixed = readdirSync('public').sort();
       for (const name of fixed) version.update(readFileSync(`public/${name}`));
-      const files = [
-        './',
-        ...[...names, ...fixed].filter((name) => !/\.(html|jpg)$/.test(name)).map((name) => `./${name}`),
-      ];
+      // The turning page is kept when it is first used.
+      const first = [...names, ...fixed].filter((name) => !/\.(html|jpg)$|turning/.test(name));
+      const files = ['./', ...first.map((name) => `./${name}`)];
       const source = readFileSync('service.js', 'utf8')
         .replace('__VERSION__', version.digest('hex').slice(0, 16))
         .replace('__FILES__', JSON.stringify(files));
