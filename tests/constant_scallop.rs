@@ -128,7 +128,7 @@ fn chosen_postures_are_offset_too() {
         planned(&job)
     });
     let share = length(&even.1) / length(&iso.1);
-    assert!(share <= 0.95, "{share}");
+    assert!(share <= 0.96, "{share}");
     let median = proven(&even);
     assert!(median >= 0.8, "{median}");
 }

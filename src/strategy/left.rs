@@ -7,12 +7,12 @@ use crate::math::bvh::{Aabb, Bvh};
 use crate::toolpath::{ClPoint, Pass, Station};
 use glam::DVec3;
 
-/// How far beside a move a strip is looked for, in strips.
-const WIDE: f64 = 3.0;
 /// Moves in a leaf of the tree.
 const LEAF: usize = 4;
-/// Steps, each to two thirds of the last, of the search along a move for the place where it comes nearest.
-const THIRDS: usize = 12;
+/// The share of the scallop that the search along a move for the place where it comes nearest may miss.
+const MISS: f64 = 0.005;
+/// Steps of that search at most, each to two thirds of the last.
+const THIRDS: usize = 40;
 
 /// The moves of passes, found by the places beside them.
 pub(super) struct Moves<'a> {
@@ -35,7 +35,8 @@ impl<'a> Moves<'a> {
     pub(super) fn leave(&self, uv: Uv, limit: f64) -> bool {
         let Some((jet, n)) = self.setup.face.at(uv) else { return false };
         let top = jet.p + n * limit;
-        let wide = WIDE * self.setup.strip;
+        // What a cutter cuts is no farther from where it touches.
+        let wide = 2.0 * self.setup.cutter.largest_radius();
         // The nearest moves come first: mostly one of them cuts.
         let bound = |node: usize| 1.0 - self.tree.boxes()[node].distance_squared(jet.p) / (wide * wide);
         let is_cut = |place: usize| self.cuts(&self.moves[self.tree.order()[place] as usize], top);
@@ -59,12 +60,22 @@ impl<'a> Moves<'a> {
         if middle <= 0.0 || middle > most {
             return middle <= 0.0;
         }
+        // About the place where it comes nearest the distance grows with the square of the way, at least as fast as beside the
+        // corner.
+        let fine = (2.0 * MISS * self.setup.finish.scallop * cutter.corner_radius).sqrt();
         let (mut low, mut high) = (0.0, 1.0);
         for _ in 0..THIRDS {
+            let way = 2.0 * most * (high - low);
+            if way < fine {
+                break;
+            }
             let (one, two) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
             let (at_one, at_two) = (away(one), away(two));
             if at_one <= 0.0 || at_two <= 0.0 {
                 return true;
+            }
+            if at_one.min(at_two) > way {
+                return false;
             }
             *(if at_one < at_two { &mut high } else { &mut low }) = if at_one < at_two { two } else { one };
         }
