@@ -1,5 +1,6 @@
 //! The command line: decodes arguments, calls [`crate::job`] and the calculators, prints. No planning lives here.
 
+mod compare;
 mod cutter;
 mod drop;
 mod plan;
@@ -26,6 +27,9 @@ struct Arguments {
 enum Command {
     /// Plan a job, prove it, and write path.apt, report.json, path.csv and, for three axes, path.nc.
     Plan(plan::Plan),
+    /// Plan a job with every strategy that applies, prove each, and print them side by side; write compare.csv and, for each, its
+    /// program and a picture of its path.
+    Compare(compare::Compare),
     /// Prove an APT program against the shape of a specification and print what it leaves, as JSON.
     Verify(plan::Verify),
     /// Plan optics on a lathe with a servo C axis (X, Z, C), prove it, and write path.nc or path.pvt, path.csv, path.apt,
@@ -75,6 +79,7 @@ impl From<JobError> for Failure {
 pub fn run() -> ExitCode {
     let result = match Arguments::parse().command {
         Command::Plan(plan) => plan.run(),
+        Command::Compare(compare) => compare.run(),
         Command::Verify(verify) => verify.run(),
         Command::Inspect { file, json } => inspect(&file, json),
         Command::Turn(turn) => turn.run(),

@@ -33,7 +33,7 @@ pub(super) struct Verify {
 }
 
 /// The specification at `path` and the content of the file that it names, if it names one.
-fn load(path: &Path) -> Result<(Spec, Option<Vec<u8>>), Failure> {
+pub(super) fn load(path: &Path) -> Result<(Spec, Option<Vec<u8>>), Failure> {
     let spec =
         Spec::from_json(&read_text(path)?).map_err(|e| Failure::Job(format!("{}: {e}", path.display())))?;
     let bytes = match &spec.source {

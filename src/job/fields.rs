@@ -193,6 +193,18 @@ pub const GROUPS: &[Group] = &[
                     ORDER,
                 ],
             },
+            #[cfg(feature = "flow")]
+            Variant {
+                kind: "flow",
+                shapes: &["surface"],
+                fields: &[RULE, LEAD, YAW, LEAST_LEAD, MOST_LEAD, MOST_YAW, TURN_ALONG, TURN_ACROSS, ORDER],
+            },
+            #[cfg(feature = "flow")]
+            Variant {
+                kind: "auto",
+                shapes: &[],
+                fields: &[RULE, LEAD, YAW, LEAST_LEAD, MOST_LEAD, MOST_YAW, TURN_ALONG, TURN_ACROSS, ORDER],
+            },
             Variant {
                 kind: "raster",
                 shapes: &["mesh"],

@@ -1,5 +1,7 @@
 //! A job from its specification to its result: the one way in for the page and for the command line.
 
+#[cfg(feature = "flow")]
+mod compare;
 mod cubes;
 mod error;
 mod fields;
@@ -19,6 +21,8 @@ pub mod turning;
 mod two_passes;
 mod verify_text;
 
+#[cfg(feature = "flow")]
+pub use compare::{Contender, Floor, contenders, holds, least_length};
 pub use cubes::Cubes;
 pub use error::{JobError, error_json};
 pub use fields::{Field, GROUPS, Group, Kind, Variant};

@@ -50,6 +50,10 @@ pub struct Proof {
 ///
 /// The same specification and bytes give the same program on every target and for any number of workers.
 pub fn plan(spec: &Spec, bytes: Option<&[u8]>, stage: &Stage) -> Result<Plan, JobError> {
+    #[cfg(feature = "flow")]
+    if let StrategySpec::Auto { .. } = spec.strategy {
+        return super::compare::auto(spec, bytes, stage);
+    }
     stage.part("Reading the shape", 0.0, 0.02).at(0.0)?;
     let cutter = spec.cutter.cutter()?;
     let (shape, mut warnings) = spec.source.shape(bytes)?;
@@ -108,15 +112,22 @@ impl Plan {
         &self.planned.unreached
     }
 
+    /// The path as an SVG picture, seen against the mean of its axes.
+    #[cfg(feature = "flow")]
+    pub fn drawing(&self) -> String {
+        post::svg::write(&self.emitted.toolpath)
+    }
+
     /// Cuts the shape with the motion that was read back from the text; `None` if the specification does not ask for it.
     pub fn prove(&self, stage: &Stage) -> Result<Option<Proof>, JobError> {
-        let verify = &self.spec.verify;
-        if !verify.enabled {
-            return Ok(None);
-        }
+        if self.spec.verify.enabled { self.proof(stage).map(Some) } else { Ok(None) }
+    }
+
+    /// The proof, asked for or not.
+    pub(super) fn proof(&self, stage: &Stage) -> Result<Proof, JobError> {
         let unreached = self.planned.unreached.joined(&self.planned.unseen);
         let picture = self.shape.picture_samples()?;
-        let samples = self.shape.samples(verify.spacing_mm)?;
+        let samples = self.shape.samples(self.spec.verify.spacing_mm)?;
         let scallop = self.spec.tolerance.scallop_mm;
         let options = Options {
             excluded: (!unreached.is_empty()).then_some(&unreached),
@@ -125,10 +136,10 @@ impl Plan {
         let drawn = Options { most_refined: 0, ..options };
         let shown = self.cut(&picture, &drawn, &stage.part("Cutting the picture", 0.0, 0.15))?;
         let proof = self.cut(&samples, &options, &stage.part("Cutting in simulation", 0.15, 1.0))?;
-        Ok(Some(Proof {
+        Ok(Proof {
             verified: Verified::from(&proof.statistics),
             picture: Picture::new(&picture, &shown.excess),
-        }))
+        })
     }
 
     fn cut(&self, samples: &Samples, options: &Options, stage: &Stage) -> Result<Verification, JobError> {
@@ -178,6 +189,14 @@ fn on_face(spec: &Spec, face: &Face, cutter: &Cutter, stage: &Stage) -> Result<(
         StrategySpec::ConstantScallop { start, start_percent, start_points_mm, angle_deg, order, .. } => {
             let start = start.start(*start_percent, *angle_deg, start_points_mm);
             strategy::constant_scallop(face, cutter, &start, rule, finish, (*order).into(), &passing)?
+        }
+        #[cfg(feature = "flow")]
+        StrategySpec::Flow { order, .. } => {
+            strategy::flow(face, cutter, rule, finish, (*order).into(), &passing)?
+        }
+        #[cfg(feature = "flow")]
+        StrategySpec::Auto { .. } => {
+            return Err(JobError::field("strategy.kind", "auto is planned as one of the others".into()));
         }
         StrategySpec::Raster { .. } => {
             return Err(JobError::field(
@@ -262,6 +281,10 @@ impl StrategySpec {
             Self::IsoParametric { .. } => "iso_parametric",
             Self::IsoPlanar { .. } => "iso_planar",
             Self::ConstantScallop { .. } => "constant_scallop",
+            #[cfg(feature = "flow")]
+            Self::Flow { .. } => "flow",
+            #[cfg(feature = "flow")]
+            Self::Auto { .. } => "auto",
             Self::Raster { .. } => "raster",
         }
     }

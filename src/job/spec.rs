@@ -203,6 +203,30 @@ pub enum StrategySpec {
         turn_across_deg_per_mm: f64,
         order: OrderSpec,
     },
+    #[cfg(feature = "flow")]
+    Flow {
+        rule: RuleSpec,
+        lead_deg: f64,
+        yaw_deg: f64,
+        least_lead_deg: f64,
+        most_lead_deg: f64,
+        most_yaw_deg: f64,
+        turn_along_deg_per_mm: f64,
+        turn_across_deg_per_mm: f64,
+        order: OrderSpec,
+    },
+    #[cfg(feature = "flow")]
+    Auto {
+        rule: RuleSpec,
+        lead_deg: f64,
+        yaw_deg: f64,
+        least_lead_deg: f64,
+        most_lead_deg: f64,
+        most_yaw_deg: f64,
+        turn_along_deg_per_mm: f64,
+        turn_across_deg_per_mm: f64,
+        order: OrderSpec,
+    },
     Raster {
         angle_deg: f64,
         order: OrderSpec,

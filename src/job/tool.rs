@@ -46,58 +46,55 @@ impl StrategySpec {
     ///
     /// Errors name the setting that does not go with another.
     pub(super) fn rule(&self) -> Result<Option<Rule>, JobError> {
-        let (Self::IsoParametric {
-            rule,
-            lead_deg,
-            yaw_deg,
-            least_lead_deg,
-            most_lead_deg,
-            most_yaw_deg,
-            turn_along_deg_per_mm,
-            turn_across_deg_per_mm,
-            ..
+        // The strategies that lean have the same settings for it.
+        macro_rules! leaning {
+            ($($(#[$when:meta])? $kind:ident),*) => {
+                match self {
+                    $($(#[$when])? Self::$kind {
+                        rule,
+                        lead_deg,
+                        yaw_deg,
+                        least_lead_deg,
+                        most_lead_deg,
+                        most_yaw_deg,
+                        turn_along_deg_per_mm,
+                        turn_across_deg_per_mm,
+                        ..
+                    } => (
+                        rule,
+                        [lead_deg, yaw_deg],
+                        [least_lead_deg, most_lead_deg, most_yaw_deg],
+                        [turn_along_deg_per_mm, turn_across_deg_per_mm],
+                    ),)*
+                    Self::Raster { .. } => return Ok(None),
+                }
+            };
         }
-        | Self::ConstantScallop {
-            rule,
-            lead_deg,
-            yaw_deg,
-            least_lead_deg,
-            most_lead_deg,
-            most_yaw_deg,
-            turn_along_deg_per_mm,
-            turn_across_deg_per_mm,
-            ..
-        }
-        | Self::IsoPlanar {
-            rule,
-            lead_deg,
-            yaw_deg,
-            least_lead_deg,
-            most_lead_deg,
-            most_yaw_deg,
-            turn_along_deg_per_mm,
-            turn_across_deg_per_mm,
-            ..
-        }) = self
-        else {
-            return Ok(None);
-        };
-        let posture = Posture { lead: lead_deg.to_radians(), yaw: yaw_deg.to_radians() };
+        let (rule, [lead, yaw], [least_lead, most_lead, most_yaw], turn) = leaning!(
+            IsoParametric,
+            IsoPlanar,
+            ConstantScallop,
+            #[cfg(feature = "flow")]
+            Flow,
+            #[cfg(feature = "flow")]
+            Auto
+        );
+        let posture = Posture { lead: lead.to_radians(), yaw: yaw.to_radians() };
         let by: fn(Limits) -> Rule = match rule {
             RuleSpec::Fixed => return Ok(Some(Rule::Fixed(posture))),
             RuleSpec::Matched => Rule::Matched,
             RuleSpec::Widest => Rule::Widest,
             RuleSpec::TwoContacts => Rule::TwoContacts,
         };
-        if most_lead_deg < least_lead_deg {
-            let message = format!("must be at least {least_lead_deg}°, the least lead");
+        if most_lead < least_lead {
+            let message = format!("must be at least {least_lead}°, the least lead");
             return Err(JobError::field("strategy.most_lead_deg", message));
         }
         let limits = Limits {
-            least_lead: least_lead_deg.to_radians(),
-            most_lead: most_lead_deg.to_radians(),
-            most_yaw: most_yaw_deg.to_radians(),
-            most_turn: [turn_along_deg_per_mm, turn_across_deg_per_mm].map(|turn| turn.to_radians()),
+            least_lead: least_lead.to_radians(),
+            most_lead: most_lead.to_radians(),
+            most_yaw: most_yaw.to_radians(),
+            most_turn: turn.map(|turn| turn.to_radians()),
             ..Limits::default()
         };
         Ok(Some(by(limits)))

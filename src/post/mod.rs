@@ -11,6 +11,7 @@ mod error;
 mod mark;
 mod number;
 mod program;
+pub mod svg;
 
 pub use error::{ReadError, WriteError};
 pub use program::{Program, Unit};

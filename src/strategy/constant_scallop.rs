@@ -11,7 +11,7 @@ mod march;
 mod offset;
 mod upwind;
 
-use super::family::Family;
+use super::family::{Family, Laid};
 use super::fill;
 use super::iso_planar::mean_normal;
 use super::placing::too_many;
@@ -62,9 +62,6 @@ const CHOSEN: f64 = 0.2;
 /// Rounds in which the spacing is measured and mended.
 const ROUNDS: usize = 4;
 
-/// Chords over a hollow raise the cusps beside them by up to this share of the limit, and passes lie the closer for it.
-const CHORD: f64 = 0.02;
-
 /// Passes of `face` offset from `start` to both sides, edge to edge, the axis leaning by `rule`.
 ///
 /// Passes that the border cuts off go on as pieces, fronts that meet end on one another, and where a pass would leave more
@@ -90,14 +87,12 @@ pub fn constant_scallop(
         return even.map(|(even, _)| even).ok_or_else(too_many);
     }
     let (from, _, column) = seed.clone();
-    let (rule, (plain, plain_is_whole)) =
-        Family::shortest(face, cutter, &rule, finish, (from, column), order, &stage.part(PLACE, 0.0, 0.2))?;
-    let most = plain.length();
-    let rest = stage.part(SOLVE, 0.2, 1.0);
-    let even = offset_passes((face, cutter), &seed, &rule, finish, order, most, &rest)?;
-    let is_better =
-        |(even, is_whole): &(Planned, bool)| (*is_whole || !plain_is_whole) && even.length() <= most;
-    Ok(even.filter(is_better).map_or(plain, |(even, _)| even))
+    let plain = stage.part(PLACE, 0.0, 0.2);
+    let plain = Family::shortest((face, cutter), &rule, finish, (from, column), order, &plain)?;
+    let (rest, most) = (stage.part(SOLVE, 0.2, 1.0), plain.planned.length());
+    let even = offset_passes((face, cutter), &seed, &plain.rule, finish, order, most, &rest)?;
+    let even = even.map(|(planned, is_whole)| Laid { planned, is_whole, ..plain });
+    Ok(even.filter(|even| even.is_better(&plain)).unwrap_or(plain).planned)
 }
 
 /// The passes, and whether they leave nothing; none where they come out longer than `most` (mm).
@@ -110,7 +105,7 @@ fn offset_passes(
     most: f64,
     stage: &Stage,
 ) -> Result<Option<(Planned, bool)>, StrategyError> {
-    let finish = Finish { chord: finish.chord.min(CHORD * finish.scallop), ..finish };
+    let finish = finish.with_fine_chords();
     let fields = (from.clone(), column.clone());
     let mut setup = Setup::new(face, cutter, rule, finish, fields, order, &stage.part(TILT, 0.0, 0.05))?;
     let offset = Offset::new(&setup, from, *level);

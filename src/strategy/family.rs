@@ -15,7 +15,7 @@ use crate::posture::Rule;
 use crate::toolpath::Pass;
 
 /// Rounds in which short passes are added where something is left.
-const GLEANINGS: usize = 3;
+const GLEANINGS: usize = 4;
 
 /// A family of level lines and the strips on them.
 pub(super) struct Family<'a> {
@@ -36,6 +36,23 @@ pub(super) struct Candidate {
     pub(super) lines: Vec<IsoLine>,
     pub(super) probes: Vec<Vec<Probe>>,
     pub(super) reversed: bool,
+}
+
+/// Passes that were laid.
+pub(super) struct Laid {
+    /// The version of the rule by which the axis leans.
+    pub(super) rule: Rule,
+    pub(super) planned: Planned,
+    /// Whether they leave nothing above the limit wherever that was looked at.
+    pub(super) is_whole: bool,
+}
+
+impl Laid {
+    /// Whether these passes are shorter than `other`, or leave nothing and those do.
+    pub(super) fn is_better(&self, other: &Self) -> bool {
+        let is_shorter = self.planned.length() < other.planned.length();
+        if self.is_whole == other.is_whole { is_shorter } else { self.is_whole }
+    }
 }
 
 impl<'a> Family<'a> {
@@ -109,44 +126,55 @@ impl<'a> Family<'a> {
         order: Order,
         stage: &Stage,
     ) -> Result<Planned, StrategyError> {
-        Ok(Self::shortest(face, cutter, rule, finish, fields, order, stage)?.1.0)
+        Ok(Self::shortest((face, cutter), rule, finish, fields, order, stage)?.planned)
     }
 
-    /// Of the [`Rule::versions`] the one whose passes are shortest, with these, and whether they leave nothing.
+    /// The passes along the level lines of `fields`, by whichever of the [`Rule::versions`] makes them shortest.
     pub(super) fn shortest(
-        face: &'a Face,
-        cutter: &'a Cutter,
+        part: (&'a Face, &'a Cutter),
         rule: &Rule,
         finish: Finish,
         fields: (Field, Field),
         order: Order,
         stage: &Stage,
-    ) -> Result<(Rule, (Planned, bool)), StrategyError> {
+    ) -> Result<Laid, StrategyError> {
+        Self::improved(part, rule, finish, fields, order, None, stage)?.ok_or_else(too_many)
+    }
+
+    /// Those passes where they are better than `best`: shorter, or they leave nothing and those do; else `best`.
+    pub(super) fn improved(
+        (face, cutter): (&'a Face, &'a Cutter),
+        rule: &Rule,
+        finish: Finish,
+        fields: (Field, Field),
+        order: Order,
+        mut best: Option<Laid>,
+        stage: &Stage,
+    ) -> Result<Option<Laid>, StrategyError> {
+        let (finish, versions) = (finish.with_fine_chords(), rule.versions());
         let choosing = if matches!(rule, Rule::Fixed(_)) { 0.0 } else { 0.15 };
-        let versions = rule.versions();
-        let mut best: Option<(Rule, (Planned, bool))> = None;
-        for (k, &version) in versions.iter().enumerate() {
+        for (k, &rule) in versions.iter().enumerate() {
             let part = |name, a: f64, b: f64| {
                 let at = |t: f64| (k as f64 + t) / versions.len() as f64;
                 stage.part(name, at(a), at(b))
             };
             let first = part("Choosing postures", 0.0, choosing);
-            let family = Self::new(face, cutter, &version, finish, fields.clone(), order, &first)?;
+            let family = Self::new(face, cutter, &rule, finish, fields.clone(), order, &first)?;
             let placed = family.place(&part("Spacing passes", choosing, 0.6))?;
             let tracks = fill::tracks(&family, placed, &part("Filling gaps", 0.6, 0.7))?;
             // Passes run out beyond their lines: where these are longer already, nothing more is asked.
-            if best.as_ref().is_some_and(|(_, (least, _))| family.length(&tracks) >= least.length()) {
+            let length = family.length(&tracks);
+            if best.as_ref().is_some_and(|best| best.is_whole && length >= best.planned.length()) {
                 continue;
             }
-            let planned = family.followed(tracks, &[], &part("Following the surface", 0.7, 1.0))?;
-            let is_better = |(_, (least, is_whole)): &(Rule, (Planned, bool))| {
-                planned.0.length() < least.length() && (planned.1 || !is_whole)
-            };
-            if best.as_ref().is_none_or(is_better) {
-                best = Some((version, planned));
+            let (planned, is_whole) =
+                family.followed(tracks, &[], &part("Following the surface", 0.7, 1.0))?;
+            let laid = Laid { rule, planned, is_whole };
+            if best.as_ref().is_none_or(|best| laid.is_better(best)) {
+                best = Some(laid);
             }
         }
-        best.ok_or_else(too_many)
+        Ok(best)
     }
 
     /// How long the lines of `tracks` are, mm.
@@ -179,7 +207,7 @@ impl<'a> Family<'a> {
             if is_whole || round == GLEANINGS {
                 break;
             }
-            let short = self.short_lines(left, &stage.part("Filling gaps", at(0.8), at(0.9)))?;
+            let short = self.short_lines(left, round, &stage.part("Filling gaps", at(0.8), at(0.9)))?;
             passes.extend(self.walk(&short, &stage.part("Following the surface", at(0.9), at(1.0)))?);
             tracks.extend(short);
         }

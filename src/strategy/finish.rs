@@ -14,6 +14,17 @@ pub struct Finish {
     pub chord: f64,
 }
 
+/// The largest chord tolerance that is used, as a share of the scallop.
+const FINE: f64 = 0.02;
+
+impl Finish {
+    /// With chords that are fine enough for wide strips: over a hollow they raise the cusps beside them by as much as they stray,
+    /// and passes lie the closer for it. A tenth of the height would cost a twentieth of the width.
+    pub(super) fn with_fine_chords(self) -> Self {
+        Self { chord: self.chord.min(FINE * self.scallop), ..self }
+    }
+}
+
 /// Which way neighbouring passes run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Order {

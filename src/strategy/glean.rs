@@ -36,6 +36,8 @@ const DEEP: f64 = 0.8;
 const ASIDE: [f64; 7] = [0.0, 0.1, -0.1, 0.2, -0.2, 0.35, -0.35];
 /// How near a line passes what it is for, in strips.
 const PASSED: f64 = 0.5;
+/// What each round takes of those distances.
+const NEARER: f64 = 0.5;
 
 impl Family<'_> {
     /// The places all over the face, and those of `others` and on `ridges`, where `passes` leave more than the limit, outside of
@@ -70,11 +72,18 @@ impl Family<'_> {
         Ok(places.iter().zip(left).filter(|(_, left)| *left).map(|(&uv, _)| uv).collect())
     }
 
-    /// Short lines, with what the cutter does on them, through the places `left`.
-    pub(super) fn short_lines(&self, left: Vec<Uv>, stage: &Stage) -> Result<Vec<Candidate>, Cancelled> {
+    /// Short lines, with what the cutter does on them, through the places `left` after so many rounds: what is still there then
+    /// was passed too far off, and lines go nearer.
+    pub(super) fn short_lines(
+        &self,
+        left: Vec<Uv>,
+        round: usize,
+        stage: &Stage,
+    ) -> Result<Vec<Candidate>, Cancelled> {
+        let near = NEARER.powi(round as i32) * self.setup.strip;
         let mut found = Vec::new();
-        for spot in self.spots(left) {
-            self.add_lines(&spot, &mut found, stage)?;
+        for spot in self.spots(left, TOGETHER * near) {
+            self.add_lines(&spot, PASSED * near, &mut found, stage)?;
         }
         Ok(found)
     }
@@ -129,9 +138,8 @@ impl Family<'_> {
         border
     }
 
-    /// The places in groups that hang together, with their points.
-    fn spots(&self, left: Vec<Uv>) -> Vec<Vec<(Uv, DVec3)>> {
-        let near = TOGETHER * self.setup.strip;
+    /// The places in groups, with their points: those that are so near (mm) to one another hang together.
+    fn spots(&self, left: Vec<Uv>, near: f64) -> Vec<Vec<(Uv, DVec3)>> {
         let mut open: Vec<(Uv, DVec3)> =
             left.into_iter().map(|uv| (uv, self.setup.face.surface.point(uv))).collect();
         let mut spots = Vec::new();
@@ -151,10 +159,11 @@ impl Family<'_> {
         spots
     }
 
-    /// Appends pieces of lines through `spot`, as many as its levels need.
+    /// Appends pieces of lines through `spot`, as many as its levels need, which pass its places so near (mm).
     fn add_lines(
         &self,
         spot: &[(Uv, DVec3)],
+        near: f64,
         found: &mut Vec<Candidate>,
         stage: &Stage,
     ) -> Result<(), Cancelled> {
@@ -172,7 +181,7 @@ impl Family<'_> {
             let mut best: (usize, Vec<IsoLine>) = (0, Vec::new());
             for aside in ASIDE {
                 let pieces = self.pieces(level + aside * self.nominal, spot);
-                let passed = self.passed(&pieces, &here);
+                let passed = self.passed(&pieces, &here, near);
                 if passed > best.0 {
                     best = (passed, pieces);
                 }
@@ -187,9 +196,8 @@ impl Family<'_> {
         Ok(())
     }
 
-    /// How many of the places `here` the lines pass.
-    fn passed(&self, lines: &[IsoLine], here: &[(Uv, DVec3)]) -> usize {
-        let near = PASSED * self.setup.strip;
+    /// How many of the places `here` the lines pass so near (mm).
+    fn passed(&self, lines: &[IsoLine], here: &[(Uv, DVec3)], near: f64) -> usize {
         let nodes: Vec<DVec3> =
             lines.iter().flat_map(|l| &l.nodes).map(|&uv| self.setup.face.surface.point(uv)).collect();
         let is_passed = |p: DVec3| nodes.iter().any(|n| n.distance_squared(p) < near * near);

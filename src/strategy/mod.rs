@@ -1,10 +1,14 @@
 //! From a shape and a cutter to ordered passes that leave no cusp above the limit: one file a strategy.
 
+#[cfg(feature = "flow")]
+mod coarea;
 mod constant_scallop;
 mod corner;
 mod family;
 mod fill;
 mod finish;
+#[cfg(feature = "flow")]
+mod flow;
 mod glean;
 mod iso_parametric;
 mod iso_planar;
@@ -12,6 +16,8 @@ mod left;
 mod link;
 mod order;
 mod placing;
+#[cfg(feature = "flow")]
+mod potential;
 mod probe;
 mod raster;
 mod run_out;
@@ -22,6 +28,8 @@ mod walk;
 
 pub use constant_scallop::{Start, StartError, constant_scallop};
 pub use finish::{Finish, Order, Planned, StrategyError};
+#[cfg(feature = "flow")]
+pub use flow::flow;
 pub use iso_parametric::iso_parametric;
 pub use iso_planar::iso_planar;
 pub use link::{IsClear, LOOK, Linked, Linking, Refuge, link};

@@ -75,7 +75,10 @@ impl Setup<'_> {
         let most = |sign: f64| {
             [strip.left, strip.right].map(|edge| sign * ahead(edge)).into_iter().fold(0.0, f64::max)
         };
-        [1.0, -1.0].map(|sign| least + SAFELY * most(sign))
+        let ways = [1.0, -1.0].map(most);
+        // On the way the lean may change: where strips are narrow it is cheap to count it for both ways.
+        let ways = if self.postures.is_fixed() { [ways[0].max(ways[1]); 2] } else { ways };
+        ways.map(|way| least + SAFELY * way)
     }
 
     /// Whether a pass that ends at `uv` goes on over the border there.

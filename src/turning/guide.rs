@@ -182,7 +182,7 @@ mod tests {
         for curve in [Curve::Spiral, Curve::Circles(0.3)] {
             for way in [Way::Inward, Way::Outward] {
                 let guide = Guide::new(&Ways { curve, way, lead_in: 1.0, lead_out: 2.0 }, 10.0, 0.7);
-                let n = 40_000;
+                let n = 400_000;
                 let at = |i: usize| guide.at(guide.length() * i as f64 / f64::from(n));
                 let sign = if way == Way::Inward { -1.0 } else { 1.0 };
                 let h = guide.length() / f64::from(n);
@@ -190,7 +190,7 @@ mod tests {
                     let (a, b) = (at(i), at(i + 1));
                     assert!(sign * (b[0] - a[0]) >= -1e-12, "{curve:?} {way:?} {i}");
                     let lack = (b[0] - a[0] - 0.5 * h * (a[1] + b[1])).abs();
-                    assert!(lack < 1e-5, "{curve:?} {way:?} {i}: {lack}");
+                    assert!(lack < 1e-7, "{curve:?} {way:?} {i}: {lack}");
                     assert!((b[1] - a[1] - 0.5 * h * (a[2] + b[2])).abs() < 1e-4, "{curve:?} {way:?} {i}");
                 }
                 let ends = [at(0)[0], at(n as usize)[0]];

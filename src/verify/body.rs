@@ -111,6 +111,16 @@ impl Body {
         libm::hypot(self.largest, self.working)
     }
 
+    /// Radius and height above the tip of the point of the body that lies farthest in a direction with these components away from
+    /// the axis and up it, the first not negative.
+    pub(super) fn support(&self, outwards: f64, up: f64) -> (f64, f64) {
+        let ends = self.edges.iter().flat_map(|edge| [edge.from, edge.from + edge.along * edge.length]);
+        let far = |p: &DVec2| p.x * outwards + p.y * up;
+        let best = ends.filter(|p| p.x >= 0.0).reduce(|best, p| if far(&p) > far(&best) { p } else { best });
+        let best = best.unwrap_or(DVec2::ZERO);
+        (best.x + self.round * outwards, best.y + self.round * up)
+    }
+
     /// Signed distance (mm, negative inside) of the point at `radius` from the axis and `height` above the tip. It is a
     /// convex function of the point in space.
     pub fn distance(&self, radius: f64, height: f64) -> f64 {

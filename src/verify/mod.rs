@@ -14,6 +14,7 @@ mod bound;
 mod cells;
 mod cut;
 mod entry;
+mod floor;
 mod hull;
 mod motion;
 mod patch;
@@ -25,6 +26,7 @@ mod turning;
 mod verification;
 
 pub use body::Body;
+pub use floor::{Class, Floor, floor};
 pub use samples::{Grid, Sample, SampleError, Samples};
 pub use statistics::{Extreme, Statistics};
 pub use turning::{

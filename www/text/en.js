@@ -3,6 +3,7 @@ export default {
   locale: 'en',
   title: 'Stepover',
   tagline: 'Shortest proven finishing paths',
+  'turning.link': 'Turning optics',
 
   'action.plan': 'Plan path',
   'action.replan': 'Plan again',

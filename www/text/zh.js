@@ -3,6 +3,7 @@ export default {
   locale: 'zh-CN',
   title: 'Stepover',
   tagline: '经验证的最短精加工刀路',
+  'turning.link': '光学车削',
 
   'action.plan': '规划刀路',
   'action.replan': '重新规划',

@@ -76,9 +76,9 @@ export function createShare(root, read) {
   );
   const button = h(
     'button',
-    { type: 'button', name: 'share', onclick: show },
+    { type: 'button', name: 'share', 'aria-label': t('share.open'), onclick: show },
     icon('share'),
-    t('share.open'),
+    h('span', {}, t('share.open')),
   );
   root.append(button, dialog);
 
