@@ -261,10 +261,12 @@ mod tests {
         let fixed = of(&trough, &cutter, Class::Fixed { lead, yaw: 0.0 });
         // Over a strip so wide the circle rises above its parabola by a sixtieth of the scallop.
         assert!((fixed.length * 2.8933 / fixed.area - 1.0).abs() < 8e-3, "{fixed:?}");
-        // Choosing never makes it longer; and with less lead than curvature matching asks for the cutter digs in.
-        let free = of(&trough, &cutter, Class::Free { least_lead: 0.03, most_lead: 0.8, most_yaw: 0.5 });
+        // Choosing never makes it longer; and a hollow tighter than the corner takes the cutter in no posture.
+        let class = Class::Free { least_lead: 0.03, most_lead: 0.8, most_yaw: 0.5 };
+        let free = of(&trough, &cutter, class);
         assert!(free.length < fixed.length && (free.area / fixed.area - 1.0).abs() < 1e-9, "{free:?}");
-        assert_eq!(of(&trough, &cutter, Class::Fixed { lead: 0.03, yaw: 0.0 }).area, 0.0);
+        let groove = Cylinder::new(DVec3::ZERO, WORLD, 1.8, [0.0, 1.0], [0.0, 20.0]).unwrap();
+        assert_eq!(of(&Face::new(groove, Side::Back), &cutter, class).area, 0.0);
     }
 
     #[test]

@@ -1,0 +1,102 @@
+//! All strategies on surfaces of every kind, beside the floor that no path of their posture can stay below; every row proven from its
+//! text. R1 = 3 mm, r = 2 mm, lead 5°, h = 0.01 mm. Words after `--` choose surfaces; `matched` and `widest` choose the posture.
+
+use serde_json::{Value, json};
+use std::num::NonZeroUsize;
+use stepover::job::{self, Spec};
+use stepover::monitor::{Silent, Stage};
+
+/// A bicubic patch over `size` mm with the heights `z` at a net of 7 × 7 points.
+fn patch(size: f64, z: impl Fn(f64, f64) -> f64) -> Value {
+    let knots = [0.0, 0.0, 0.0, 0.0, 0.25, 0.5, 0.75, 1.0, 1.0, 1.0, 1.0];
+    let at = |k: i32| f64::from(k) / 6.0 - 0.5;
+    let net = (0..7).flat_map(|i| (0..7).map(move |j| (at(i), at(j))));
+    let points: Vec<[f64; 3]> = net.map(|(x, y)| [size * x, size * y, z(x, y)]).collect();
+    json!({"kind": "nurbs", "degrees": [3, 3], "knots_u": knots, "knots_v": knots, "points_mm": points})
+}
+
+fn surfaces() -> Vec<(&'static str, Value)> {
+    let gallery: Value = serde_json::from_str(&job::gallery_json()).unwrap_or_default();
+    let of_gallery = |k: usize| gallery[k]["spec"]["source"].clone();
+    let net = |up: f64| {
+        json!({
+            "kind": "nurbs", "degrees": [2, 2], "knots_u": [0, 0, 0, 1, 1, 1], "knots_v": [0, 0, 0, 1, 1, 1],
+            "points_mm": [
+                [0, 0, 0], [0, 12.5, 5.0 * up], [0, 25, 0],
+                [12.5, 0, 5.0 * up], [12.5, 12.5, 12.5 * up], [12.5, 25, 5.0 * up],
+                [25, 0, 0], [25, 12.5, 5.0 * up], [25, 25, 0],
+            ],
+        })
+    };
+    vec![
+        ("plane", json!({"kind": "plane", "size_mm": [40, 30]})),
+        ("cap", json!({"kind": "sphere", "radius_mm": 60, "angle_deg": [40, 30]})),
+        ("rod", json!({"kind": "cylinder", "radius_mm": 30, "angle_deg": 70, "length_mm": 40})),
+        (
+            "trough",
+            json!({"kind": "cylinder", "radius_mm": 60, "angle_deg": 35, "length_mm": 40, "side": "back"}),
+        ),
+        ("saddle", patch(40.0, |x, y| 24.0 * x * y)),
+        ("lens", of_gallery(2)),
+        ("wave", of_gallery(0)),
+        ("hump", patch(50.0, |x, y| 7.0 * libm::exp(-14.0 * (x * x + y * y)))),
+        ("blade", of_gallery(1)),
+        ("ring", json!({"kind": "torus", "major_mm": 30, "minor_mm": 12, "angle_deg": [40, 360]})),
+        ("net", net(1.0)),
+        ("hollow net", net(-1.0)),
+    ]
+}
+
+fn main() {
+    let asked: Vec<String> = std::env::args().skip(1).filter(|arg| !arg.starts_with('-')).collect();
+    let rule = ["matched", "widest"].into_iter().find(|rule| asked.iter().any(|word| word == rule));
+    let names: Vec<&String> = asked.iter().filter(|word| Some(word.as_str()) != rule).collect();
+    println!(
+        "| surface | area mm² | floor mm | strategy | passes | cut mm | of floor | link mm | min | excess µm | gouge µm |"
+    );
+    println!("|---|---|---|---|---|---|---|---|---|---|---|");
+    for (name, source) in surfaces() {
+        if names.is_empty() || names.iter().any(|word| name.contains(word.as_str())) {
+            compare(name, &source, rule.unwrap_or("fixed"));
+        }
+    }
+}
+
+#[allow(clippy::print_stdout)]
+fn compare(name: &str, source: &Value, rule: &str) {
+    let spec = json!({
+        "version": 1,
+        "name": name,
+        "source": source,
+        "cutter": {"kind": "bull_nose", "diameter_mm": 10, "corner_radius_mm": 2, "height_mm": 40},
+        "strategy": {"kind": "flow", "rule": rule, "lead_deg": 5},
+        "tolerance": {"scallop_mm": 0.01},
+    });
+    let spec = Spec::from_json(&spec.to_string()).unwrap();
+    let stage = Stage::whole(&Silent, NonZeroUsize::new(2).unwrap());
+    let floor = job::least_length(&spec, None, &stage).unwrap().unwrap();
+    for contender in job::contenders(&spec, None).unwrap() {
+        let plan = match job::plan(&contender.spec, None, &stage) {
+            Ok(plan) => plan,
+            Err(why) => {
+                println!("| {name} | | {:.1} | {} | {why} |", floor.length, contender.name);
+                continue;
+            }
+        };
+        let report = plan.report(plan.prove(&stage).unwrap().as_ref());
+        let proven = report.verified.as_ref().unwrap();
+        println!(
+            "| {name} | {:.0} | {:.1} | {} | {} | {:.1} | {:.3} | {:.1} | {:.2} | {:.2} | {:.2} |",
+            report.area_mm2,
+            floor.length,
+            contender.name,
+            report.passes,
+            report.length.cut_mm,
+            report.length.cut_mm / floor.length,
+            report.length.link_mm,
+            report.time_min,
+            1e3 * proven.largest_excess_mm.unwrap_or(f64::NAN),
+            1e3 * proven.largest_gouge_mm.unwrap_or(f64::NAN),
+        );
+    }
+}
