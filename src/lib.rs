@@ -24,14 +24,16 @@
 //!   ├───► cutter ──┬► contact ─► posture ─► strategy ─────┤
 //!   └───► toolpath ┼► turning ────────────────────────────┼► job ─► wasm, cli
 //!                  ├► verify ─────────────────────────────┤
-//!                  └► post (text out, text in) ───────────┘
+//!                  ├► machine ─┐                          │
+//!                  └───────────┴► post (text out, in) ────┘
 //! geometry also ─► contact, verify; toolpath also ─► contact, posture, strategy; monitor ─► all
 //! ```
 //!
 //! Read in this order: [`toolpath`] for the vocabulary, [`geometry`] for what a surface is, [`contact`] for
 //! the strip that one contact point finishes, [`posture`] for how the cutter leans there, [`strategy`] for how
 //! strips become passes, [`verify`] for the proof, [`job`] for how a specification becomes a result. [`turning`] stands
-//! beside [`strategy`]: optics on a lathe whose spindle is a servo axis, from a sag to axis motions.
+//! beside [`strategy`]: optics on a lathe whose spindle is a servo axis, from a sag to axis motions; and `machine` before
+//! [`post`]: mills with rotary axes, from cutter locations to axis motions.
 
 #[cfg(not(target_arch = "wasm32"))]
 pub mod cli;
@@ -40,6 +42,8 @@ pub mod cutter;
 pub mod geometry;
 pub mod import;
 pub mod job;
+#[cfg(feature = "machines")]
+pub mod machine;
 pub mod math;
 pub mod monitor;
 pub mod post;

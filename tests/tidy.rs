@@ -16,12 +16,13 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("strategy", &["math", "geometry", "cutter", "toolpath", "contact", "posture"]),
     ("turning", &["math", "toolpath"]),
     ("verify", &["math", "geometry", "cutter", "toolpath"]),
-    ("post", &["math", "cutter", "toolpath"]),
+    ("machine", &["math", "toolpath"]),
+    ("post", &["math", "cutter", "toolpath", "machine"]),
     (
         "job",
         &[
             "math", "geometry", "cutter", "toolpath", "import", "contact", "posture", "strategy", "verify",
-            "post", "turning",
+            "post", "turning", "machine",
         ],
     ),
     ("wasm", &["job", "toolpath"]),

@@ -8,6 +8,8 @@ mod fields;
 mod gallery;
 mod inspect;
 mod kinds;
+#[cfg(feature = "machines")]
+pub mod machines;
 mod picture;
 mod report;
 mod run;

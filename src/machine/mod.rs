@@ -1,0 +1,23 @@
+//! Machines: axes described by data, and the motion of the axes that makes a toolpath.
+//!
+//! # Frames and signs
+//!
+//! - The machine frame is fixed to the bed. While every axis stands at 0 the workpiece frame is parallel to it, with its origin at
+//!   [`Machine::workpiece_zero`], and the tool points along [`Machine::tool_axis`].
+//! - An axis carries the workpiece or the tool. As its number rises, what it carries goes along its direction or turns about it by
+//!   the right hand. Most machines count the other way where the table moves (ISO 841 counts the tool's motion over the part):
+//!   there the direction is stated with the other sign.
+//! - The tool's length counts from the spindle's nose ([`Machine::gauge`]) to the tip.
+//! - A machine that leans its tool about two axes reaches every pose in two ways, but for where the tool points along the rotary axis
+//!   nearer to the workpiece: that axis is free there. This is the *pole*.
+
+mod axis;
+mod description;
+mod error;
+mod kinematics;
+mod two_turns;
+
+pub use axis::{Axis, Carries, Joint};
+pub use description::Machine;
+pub use error::{MachineError, MotionError};
+pub use kinematics::{Kinematics, Position};

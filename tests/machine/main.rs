@@ -1,0 +1,5 @@
+//! Machines: their description, their axes, and the programs that they run.
+
+mod description;
+mod examples;
+mod kinematics;
