@@ -12,12 +12,21 @@
 //!   nearer to the workpiece: that axis is free there. This is the *pole*.
 
 mod axis;
+mod axis_path;
+mod choose;
 mod description;
+mod drive;
+mod ends;
 mod error;
+mod follow;
 mod kinematics;
+mod options;
 mod two_turns;
 
 pub use axis::{Axis, Carries, Joint};
+pub use axis_path::{AxisMove, AxisPath};
 pub use description::Machine;
+pub use drive::drive;
 pub use error::{MachineError, MotionError};
 pub use kinematics::{Kinematics, Position};
+pub use options::{Control, Following, Tolerance};

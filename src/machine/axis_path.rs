@@ -1,0 +1,32 @@
+//! The motion of the axes.
+
+use super::Position;
+use crate::toolpath::{ClPoint, Rate, Role};
+
+/// One straight move of all axes at once, from where the move before ended.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AxisMove {
+    /// Where the axes stand at its end.
+    pub at: Position,
+    /// Where that puts the tool.
+    pub to: ClPoint,
+    /// How fast the toolpath asked to go.
+    pub rate: Rate,
+    /// What for.
+    pub role: Role,
+    /// The shortest time in which the axes can do it at constant speed, and not faster than asked for, s; 0 for the first move.
+    pub seconds: f64,
+    /// The move of the toolpath that it is part of, counted from 0.
+    pub source: usize,
+    /// Whether it ends where that move does.
+    pub is_end: bool,
+}
+
+/// The motion of the axes in order. The first move has no start: it places the tool.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct AxisPath {
+    /// The moves.
+    pub moves: Vec<AxisMove>,
+    /// How often an axis was turned back, or the other inverse solution taken, on a link.
+    pub turn_overs: usize,
+}

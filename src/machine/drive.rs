@@ -1,0 +1,160 @@
+//! From a toolpath to the motion of a machine's axes.
+
+use super::choose::choose;
+use super::follow::{Follower, Place};
+use super::{Axis, AxisMove, AxisPath, Following, Kinematics, MotionError, Position};
+use crate::toolpath::{ClPoint, Move, Rate, Role, Toolpath};
+use glam::DVec3;
+
+/// How the machine's axes go so that its tool goes along `path`.
+///
+/// At the end of every move the tip is where the path has it, exactly, and the axis within the rounding of the rotary axes. Between them
+/// both keep to the tolerances of `how`. Rotary axes run on beyond a turn and never jump back; where one meets its limit the tool
+/// draws back on a link, is turned over, and returns.
+///
+/// The feed is that of the point whose places at the ends of the moves are `contacts`, the contact with the part; without any (an empty
+/// slice) that of the tip. It is asked for, and lowered where an axis would go faster than it can.
+///
+/// Errors name the move, its end, and the axis: a pose that the machine cannot reach, a limit that the path leaves, a turn for which the path
+/// offers no place.
+pub fn drive(
+    kinematics: &Kinematics,
+    path: &Toolpath,
+    contacts: &[DVec3],
+    how: &Following,
+) -> Result<AxisPath, MotionError> {
+    let chosen = choose(kinematics, path, 0.5 * how.feed.axis)?;
+    let mut driver = Driver { kinematics, how, path: AxisPath::default() };
+    driver.path.moves.reserve(path.moves.len());
+    for (index, (step, chosen)) in path.moves.iter().zip(&chosen).enumerate() {
+        let length = match (index, contacts.get(index)) {
+            (0, _) => 0.0,
+            (_, Some(contact)) => contact.distance(contacts[index - 1]),
+            (_, None) => step.to.tip.distance(path.moves[index - 1].to.tip),
+        };
+        driver.go(Leg { step, source: index, length, keeps_axis: true }, driver.snapped(chosen.arrive))?;
+        if let Some(leave) = chosen.leave {
+            driver.turn_over(index, step, driver.snapped(leave))?;
+        }
+    }
+    Ok(driver.path)
+}
+
+/// A straight move of the tool.
+struct Leg<'a> {
+    step: &'a Move,
+    source: usize,
+    /// The way that the feed counts, mm.
+    length: f64,
+    keeps_axis: bool,
+}
+
+struct Driver<'a> {
+    kinematics: &'a Kinematics,
+    how: &'a Following,
+    path: AxisPath,
+}
+
+impl Driver<'_> {
+    /// Rotary angles in whole steps, within the limits.
+    fn snapped(&self, rotary: [f64; 2]) -> [f64; 2] {
+        let step = self.how.rotary_step;
+        [0, 1].map(|k| {
+            let steps = (rotary[k] / step).round();
+            let limits = self.kinematics.axes().get(3 + k).and_then(|axis: &Axis| axis.limits);
+            match limits {
+                Some([low, _]) if steps * step < low => (low / step).ceil() * step,
+                Some([_, high]) if steps * step > high => (high / step).floor() * step,
+                _ => steps * step,
+            }
+        })
+    }
+
+    fn go(&mut self, leg: Leg, rotary: [f64; 2]) -> Result<(), MotionError> {
+        let &Leg { step, source, length, keeps_axis } = &leg;
+        let end = self.kinematics.at(step.to.tip, rotary);
+        let Some(last) = self.path.moves.last() else {
+            return self.push(&leg, Place { share: 1.0, at: end }, 0.0);
+        };
+        let tolerance = match step.rate {
+            Rate::Rapid => self.how.rapid,
+            Rate::Feed(_) => self.how.feed,
+        };
+        let (kinematics, control, step_angle) = (self.kinematics, self.how.control, self.how.rotary_step);
+        let follower = Follower { kinematics, control, tolerance, step: step_angle, keeps_axis };
+        let mut places = Vec::new();
+        if !follower.follow([&last.to, &step.to], [last.at, end], &mut places) {
+            return Err(MotionError::Jump { index: source, point: step.to.tip });
+        }
+        places.push(Place { share: 1.0, at: end });
+        let mut before = 0.0;
+        for place in places {
+            self.push(&leg, place, (place.share - before) * length)?;
+            before = place.share;
+        }
+        Ok(())
+    }
+
+    fn push(&mut self, leg: &Leg, place: Place, length: f64) -> Result<(), MotionError> {
+        let &Leg { step, source, .. } = leg;
+        let is_end = place.share == 1.0;
+        // At the end the tool stands as the path says, but for the rounding of the rotary axes.
+        let to = if is_end { step.to } else { self.kinematics.pose(&place.at) };
+        let mut axes = self.kinematics.axes().iter().zip(place.at.all());
+        if let Some((axis, position)) = axes.find(|(axis, position)| !axis.holds(*position)) {
+            return Err(MotionError::limit(source, to.tip, axis, position));
+        }
+        let seconds = self.path.moves.last().map_or(0.0, |last| {
+            let asked = match step.rate {
+                Rate::Rapid => 0.0,
+                Rate::Feed(feed) => 60.0 * length / feed,
+            };
+            least_time(self.kinematics.axes(), &last.at, &place.at).max(asked)
+        });
+        let (at, Move { rate, role, .. }) = (place.at, *step);
+        self.path.moves.push(AxisMove { at, to, rate, role, seconds, source, is_end });
+        Ok(())
+    }
+
+    /// Draws the tool back along its axis, turns the rotary axes to `leave` while the tip stays, and returns.
+    fn turn_over(&mut self, index: usize, step: &Move, leave: [f64; 2]) -> Result<(), MotionError> {
+        let arrived = self.path.moves.len();
+        self.path.turn_overs += 1;
+        let mut result = Ok(());
+        // As far back as the limits let it.
+        for share in [1.0, 0.5, 0.25, 0.0] {
+            self.path.moves.truncate(arrived);
+            result = self.turn_over_at(index, step, leave, share * self.how.retract);
+            if result.is_ok() {
+                break;
+            }
+        }
+        result
+    }
+
+    fn turn_over_at(
+        &mut self,
+        index: usize,
+        step: &Move,
+        leave: [f64; 2],
+        by: f64,
+    ) -> Result<(), MotionError> {
+        let Some(arrived) = self.path.moves.last().map(|last| last.at.rotary) else { return Ok(()) };
+        let back = ClPoint { tip: step.to.tip + by * step.to.axis, axis: step.to.axis };
+        for (to, rotary, keeps_axis) in [(back, arrived, true), (back, leave, false), (step.to, leave, true)]
+        {
+            let step = Move { to, rate: Rate::Rapid, role: Role::Link };
+            self.go(Leg { step: &step, source: index, length: 0.0, keeps_axis }, rotary)?;
+            if let Some(last) = self.path.moves.last_mut() {
+                last.is_end = false;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The shortest time in which the axes go from one position to another at constant speed, s.
+fn least_time(axes: &[Axis], from: &Position, to: &Position) -> f64 {
+    let ways = from.all().into_iter().zip(to.all()).map(|(a, b)| (b - a).abs());
+    axes.iter().zip(ways).map(|(axis, way)| way / axis.speed).fold(0.0, f64::max)
+}

@@ -1,0 +1,135 @@
+//! Between the ends of a move: points that keep the tip on its line and the axis near its own while the machine's axes go straight.
+
+use super::ends::wrapped;
+use super::{Control, Kinematics, Position, Tolerance};
+use crate::toolpath::ClPoint;
+
+/// The largest turn of an axis in one piece, radians. Within it the tip's bow is that of a parabola to a part in a thousand, so that it
+/// is enough to look at its middle.
+const LARGEST_TURN: f64 = 0.1;
+/// How often a piece may be halved: what a thousandth of a millimetre in a kilometre would ask for.
+const MOST_HALVINGS: u32 = 40;
+
+/// A place between the ends of a move.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Place {
+    /// Share of the move.
+    pub(super) share: f64,
+    /// Where the axes stand there; the tip is on the move's straight line.
+    pub(super) at: Position,
+}
+
+/// Follows straight moves of tip and axis.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Follower<'a> {
+    pub(super) kinematics: &'a Kinematics,
+    pub(super) control: Control,
+    pub(super) tolerance: Tolerance,
+    /// The step of rotary angles, radians.
+    pub(super) step: f64,
+    /// Whether the axis matters; it does not where the tool is turned over in the clear.
+    pub(super) keeps_axis: bool,
+}
+
+impl Follower<'_> {
+    /// Appends the places between `from` and `to`, without these, in the order of the move. The axes stand at `start` and `end` there.
+    /// False if the tolerance cannot be kept.
+    ///
+    /// A piece whose axis would stray is halved where the move's own axis is reached, one whose tip would bow is halved where the
+    /// rotary axes are half-way. So the tool passes the pole: once a piece is so small that the axis stays within its tolerance
+    /// whatever the free axis does, that axis swings round at one speed and the linear axes hold the tip.
+    pub(super) fn follow(
+        &self,
+        [from, to]: [&ClPoint; 2],
+        [start, end]: [Position; 2],
+        places: &mut Vec<Place>,
+    ) -> bool {
+        if self.control == Control::Vector {
+            return true;
+        }
+        let mut left = vec![(Place { share: 1.0, at: end }, 0)];
+        let mut begin = Place { share: 0.0, at: start };
+        while let Some(&(piece_end, halvings)) = left.last() {
+            let middle = match self.halve([from, to], [&begin, &piece_end]) {
+                Halved::Keeps => None,
+                Halved::At(middle) => Some(middle),
+                Halved::Never => return false,
+            };
+            match middle {
+                Some(_) if halvings == MOST_HALVINGS => return false,
+                Some(middle) => {
+                    if let Some(last) = left.last_mut() {
+                        last.1 += 1;
+                    }
+                    left.push((middle, halvings + 1));
+                }
+                None => {
+                    left.pop();
+                    if !left.is_empty() {
+                        places.push(piece_end);
+                    }
+                    begin = piece_end;
+                }
+            }
+        }
+        true
+    }
+
+    fn halve(&self, [from, to]: [&ClPoint; 2], [begin, end]: [&Place; 2]) -> Halved {
+        let share = 0.5 * (begin.share + end.share);
+        let half = begin.at.lerp(&end.at, 0.5);
+        let pose = self.kinematics.pose(&half);
+        let turn = (0..2).map(|k| (end.at.rotary[k] - begin.at.rotary[k]).abs()).fold(0.0, f64::max);
+        let strays = |t: f64| {
+            let at = begin.at.lerp(&end.at, t).rotary;
+            let asked = between(from, to, begin.share + t * (end.share - begin.share)).axis;
+            self.kinematics.pointing(at).distance(asked) > self.tolerance.axis
+        };
+        let middle = between(from, to, share);
+        if self.keeps_axis
+            && (pose.axis.distance(middle.axis) > self.tolerance.axis
+                || turn > LARGEST_TURN && (strays(0.25) || strays(0.75)))
+        {
+            return match self.nearest_way(&middle, half.rotary) {
+                Some(rotary) => self.place(share, &middle, rotary),
+                None => Halved::Never,
+            };
+        }
+        if self.control == Control::Tip {
+            return Halved::Keeps;
+        }
+        let [a, b] = [begin, end].map(|place| from.tip.lerp(to.tip, place.share));
+        let along = (b - a).try_normalize().map_or(glam::DVec3::ZERO, |way| way * way.dot(pose.tip - a));
+        if turn > LARGEST_TURN || (pose.tip - a - along).length() > self.tolerance.chord {
+            return self.place(share, &middle, half.rotary);
+        }
+        Halved::Keeps
+    }
+
+    fn place(&self, share: f64, pose: &ClPoint, rotary: [f64; 2]) -> Halved {
+        let rotary = rotary.map(|angle| (angle / self.step).round() * self.step);
+        Halved::At(Place { share, at: self.kinematics.at(pose.tip, rotary) })
+    }
+
+    /// The solution for `pose` that is nearest to `rotary`.
+    fn nearest_way(&self, pose: &ClPoint, rotary: [f64; 2]) -> Option<[f64; 2]> {
+        let ways = self.kinematics.ways(pose.axis)?;
+        let near = ways.pairs.map(|way| [0, 1].map(|k| rotary[k] + wrapped(way[k] - rotary[k])));
+        let off = |way: &[f64; 2]| (way[0] - rotary[0]).abs() + (way[1] - rotary[1]).abs();
+        near.into_iter().min_by(|a, b| off(a).total_cmp(&off(b)))
+    }
+}
+
+enum Halved {
+    /// The piece keeps the tolerance as it is.
+    Keeps,
+    At(Place),
+    /// The machine cannot point the tool as asked for.
+    Never,
+}
+
+/// Where the tool is at a share of a straight move.
+pub(super) fn between(from: &ClPoint, to: &ClPoint, share: f64) -> ClPoint {
+    let axis = from.axis.lerp(to.axis, share).try_normalize().unwrap_or(from.axis);
+    ClPoint { tip: from.tip.lerp(to.tip, share), axis }
+}

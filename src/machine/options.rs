@@ -1,0 +1,50 @@
+//! How closely the axes follow a toolpath.
+
+/// How far the tool may be from where the toolpath has it, between the ends of its moves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tolerance {
+    /// The tip from its straight line, mm, above 0.
+    pub chord: f64,
+    /// The axis from that of the straight move, radians, above 0.
+    pub axis: f64,
+}
+
+/// What the control makes of a block.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Control {
+    /// All axes go straight from block to block; what that does to the tip is up to the program.
+    Axes,
+    /// The tip goes straight over the workpiece; the rotary axes go straight from block to block.
+    Tip,
+    /// Tip and axis both go straight over the workpiece, as the toolpath has them.
+    Vector,
+}
+
+/// How a machine shall follow a toolpath.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Following {
+    /// What the control makes of a block.
+    pub control: Control,
+    /// For moves at feed.
+    pub feed: Tolerance,
+    /// For rapid moves.
+    pub rapid: Tolerance,
+    /// The step that rotary angles are rounded to before the linear axes are found for them, radians: what the program's decimals
+    /// can state. The tip stays where it is all the same.
+    pub rotary_step: f64,
+    /// How far the tool draws back along its axis before it is turned over on a link, mm; less where the limits ask for it.
+    pub retract: f64,
+}
+
+impl Following {
+    /// A micrometre and 0.005° at feed, a twentieth of a millimetre and half a degree in rapid, angles to 10⁻⁴ degrees, 100 mm back.
+    pub fn new(control: Control) -> Self {
+        Self {
+            control,
+            feed: Tolerance { chord: 1e-3, axis: 0.005f64.to_radians() },
+            rapid: Tolerance { chord: 0.05, axis: 0.5f64.to_radians() },
+            rotary_step: 1e-4f64.to_radians(),
+            retract: 100.0,
+        }
+    }
+}
