@@ -4,6 +4,7 @@ mod compare;
 mod cutter;
 mod drop;
 mod plan;
+mod post;
 mod progress;
 mod stepover;
 mod strip;
@@ -32,6 +33,8 @@ enum Command {
     Compare(compare::Compare),
     /// Prove an APT program against the shape of a specification and print what it leaves, as JSON.
     Verify(plan::Verify),
+    /// Turn cutter locations into a program for a machine with up to five axes, and read it back.
+    Post(post::Post),
     /// Plan optics on a lathe with a servo C axis (X, Z, C), prove it, and write path.nc or path.pvt, path.csv, path.apt,
     /// report.json and residue.csv; or prove a program that is there already.
     Turn(turn::Turn),
@@ -82,6 +85,7 @@ pub fn run() -> ExitCode {
         Command::Compare(compare) => compare.run(),
         Command::Verify(verify) => verify.run(),
         Command::Inspect { file, json } => inspect(&file, json),
+        Command::Post(post) => post.run(),
         Command::Turn(turn) => turn.run(),
         Command::Schema { turning: false } => print(&job::schema()),
         Command::Schema { turning: true } => print(&job::turning::schema()),

@@ -6,7 +6,7 @@ use crate::toolpath::ClPoint;
 
 /// The largest turn of an axis in one piece, radians. Within it the tip's bow is that of a parabola to a part in a thousand, so that it
 /// is enough to look at its middle.
-const LARGEST_TURN: f64 = 0.1;
+pub(super) const LARGEST_TURN: f64 = 0.1;
 /// How often a piece may be halved: what a thousandth of a millimetre in a kilometre would ask for.
 const MOST_HALVINGS: u32 = 40;
 

@@ -46,6 +46,7 @@ pub struct Kinematics {
     about: Option<[DVec3; 2]>,
     points: [DVec3; 2],
     tool_axis: DVec3,
+    tool_length: f64,
     /// The tip while all stand at 0, machine frame.
     tip: DVec3,
     workpiece_zero: DVec3,
@@ -81,6 +82,7 @@ impl Kinematics {
             workpiece_zero: machine.workpiece_zero,
             zero: DVec3::ZERO,
             tool_axis,
+            tool_length,
             axes,
         };
         built.zero = built.linear(DVec3::ZERO, [0.0; 2]);
@@ -95,6 +97,17 @@ impl Kinematics {
     /// X, Y and Z where programs read 0: with the rotary axes at 0 the tip is at the workpiece's origin there.
     pub fn program_zero(&self) -> DVec3 {
         self.zero
+    }
+
+    /// What a control adds to words while the tool's length is off, so that they are machine coordinates: where X, Y and Z bring the
+    /// spindle's nose to the workpiece's origin with the rotary axes at 0.
+    pub fn work_offset(&self) -> DVec3 {
+        self.linear(-self.tool_length * self.tool_axis, [0.0; 2])
+    }
+
+    /// From the spindle's nose to the tip, mm.
+    pub fn tool_length(&self) -> f64 {
+        self.tool_length
     }
 
     /// Unit vector from the tip to the spindle while the rotary axes stand at 0.

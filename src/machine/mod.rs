@@ -21,6 +21,8 @@ mod error;
 mod follow;
 mod kinematics;
 mod options;
+mod time;
+mod trace;
 mod two_turns;
 
 pub use axis::{Axis, Carries, Joint};
@@ -30,3 +32,5 @@ pub use drive::drive;
 pub use error::{MachineError, MotionError};
 pub use kinematics::{Kinematics, Position};
 pub use options::{Control, Following, Tolerance};
+pub use time::{Times, estimate, smoothing};
+pub use trace::trace;

@@ -4,3 +4,4 @@ mod description;
 mod drive;
 mod examples;
 mod kinematics;
+mod time;

@@ -3,7 +3,8 @@
 use super::XzcProgram;
 use super::header::Meaning;
 use super::scan::{Line, check_length};
-use super::words::{Rounding, push, push_fixed};
+use super::words::Rounding;
+use crate::post::digits::{push, push_fixed};
 use crate::post::number::{fixed, trimmed};
 use crate::post::{ReadError, WriteError};
 use crate::toolpath::{AxisPoint, Interpolation, Nose, TurningPath};

@@ -4,7 +4,8 @@ use super::XzcProgram;
 use super::gcode::{check, missing};
 use super::header::Meaning;
 use super::scan::{Line, check_length};
-use super::words::{Rounding, push_fixed, scaled};
+use super::words::Rounding;
+use crate::post::digits::{decimal, push, push_fixed, scaled};
 use crate::post::{ReadError, WriteError};
 use crate::toolpath::{AxisPoint, Interpolation, Nose, TurningPath};
 
@@ -95,7 +96,7 @@ impl Blocks<'_> {
         if time != self.time {
             self.time = time;
             self.text.push_str("PVT");
-            super::words::push(&mut self.text, time, TIME_DECIMALS);
+            push(&mut self.text, time, TIME_DECIMALS);
             self.text.push('\n');
         }
         let words = self.meaning.words([to.x, to.z, to.c], false);
@@ -133,7 +134,7 @@ pub fn read_pvt(text: &str) -> Result<(Nose, TurningPath), ReadError> {
             continue;
         }
         if let Some(stated) = word.strip_prefix("PVT") {
-            let number = super::scan::decimal(stated)
+            let number = decimal(stated)
                 .filter(|ms| *ms > 0.0)
                 .ok_or_else(|| ReadError::statement(number, word, "needs a time in milliseconds above 0"))?;
             step = Some(1e-3 * number);

@@ -1,6 +1,7 @@
 //! Letters and numbers of a line, read fast: a program has a million of them.
 
 use crate::post::ReadError;
+use crate::post::digits::decimal;
 
 /// Longest text that the readers take, bytes.
 const MOST_BYTES: usize = 2_000_000_000;
@@ -90,35 +91,4 @@ impl<'a> Line<'a> {
     pub(super) fn words(&self) -> &[(u8, f64)] {
         &self.words[..self.count]
     }
-}
-
-/// A plain decimal number. Up to 15 digits are read exactly without the general reader.
-pub(super) fn decimal(text: &str) -> Option<f64> {
-    let bytes = text.as_bytes();
-    let (negative, digits) = match bytes.first()? {
-        b'-' => (true, &bytes[1..]),
-        b'+' => (false, &bytes[1..]),
-        _ => (false, bytes),
-    };
-    let (mut sum, mut count, mut decimals, mut point) = (0u64, 0, 0usize, false);
-    for &b in digits {
-        match b {
-            b'.' if !point => point = true,
-            b'0'..=b'9' => {
-                sum = sum.wrapping_mul(10).wrapping_add(u64::from(b - b'0'));
-                count += 1;
-                decimals += usize::from(point);
-            }
-            _ => return None,
-        }
-    }
-    const POWERS: [f64; 16] =
-        [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15];
-    let magnitude = match count {
-        0 => return None,
-        // Both are exact, so the quotient is the nearest number, as the general reader would give.
-        1..=15 => sum as f64 / POWERS[decimals],
-        _ => crate::post::number::parse(std::str::from_utf8(digits).ok()?)?,
-    };
-    Some(if negative { -magnitude } else { magnitude })
 }

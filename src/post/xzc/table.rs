@@ -1,8 +1,9 @@
 //! The motion as a table for spreadsheets and scripts, out and in.
 
 use super::scan::check_length;
-use super::words::{Rounding, push_fixed};
+use super::words::Rounding;
 use crate::post::ReadError;
+use crate::post::digits::push_fixed;
 use crate::post::number::parse;
 use crate::toolpath::{AxisPoint, Interpolation, TurningPath};
 

@@ -1,0 +1,45 @@
+//! How far a program that was read back is from the path that it was made of.
+
+use crate::toolpath::{ClPoint, Toolpath};
+
+/// The largest differences at the ends of the path's moves.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Deviation {
+    /// Of the tip, mm.
+    pub tip_mm: f64,
+    /// Of the axis, degrees.
+    pub axis_deg: f64,
+}
+
+/// How far a place may be from the end of a move and still be taken for it: of the tip, mm, and of the axis, radians. Both are many
+/// times what rounding does, and far less than a skipped block would leave.
+const NEAR: [f64; 2] = [0.01, 1e-3];
+
+/// Compares the ends of the moves of `path`, in their order, with the places that `read` comes through. `None` if it does not come
+/// near to one of them.
+pub fn deviation(path: &Toolpath, read: &Toolpath) -> Option<Deviation> {
+    let mut worst = Deviation::default();
+    let mut places = read.moves.iter().map(|step| step.to).peekable();
+    let mut at = places.next()?;
+    for step in &path.moves {
+        while !is_near(&at, &step.to) {
+            at = places.next()?;
+        }
+        // Short moves may come near before they arrive.
+        while let Some(next) = places.next_if(|next| off(next, &step.to) < off(&at, &step.to)) {
+            at = next;
+        }
+        worst.tip_mm = worst.tip_mm.max(at.tip.distance(step.to.tip));
+        worst.axis_deg = worst.axis_deg.max(at.axis.angle_between(step.to.axis).to_degrees());
+    }
+    Some(worst)
+}
+
+fn is_near(a: &ClPoint, b: &ClPoint) -> bool {
+    a.tip.distance(b.tip) < NEAR[0] && a.axis.distance(b.axis) < NEAR[1]
+}
+
+/// A difference that counts a radian as the end of a 10 mm lever.
+fn off(a: &ClPoint, b: &ClPoint) -> f64 {
+    a.tip.distance(b.tip) + 10.0 * a.axis.distance(b.axis)
+}
