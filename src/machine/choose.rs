@@ -2,7 +2,7 @@
 
 use super::ends::{End, ends, wrapped};
 use super::{Axis, Kinematics, MotionError};
-use crate::toolpath::{Move, Rate, Role, Toolpath};
+use crate::toolpath::{Move, Role, Toolpath};
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 
@@ -23,7 +23,7 @@ const TURN_OVER: f64 = 10.0;
 ///
 /// The shortest path through a lattice: at each move both solutions, each with all of its turns within the limits, joined to
 /// the next move's wherever the tool can follow the move between (the same solution, or the other one through the pole, by less than half a turn).
-/// Where a link stands clear of the part, between two rapid moves, any may follow any. Its length is the travel of the rotary
+/// Between two moves of a link any may follow any, since there the tool can draw back and turn over. Its length is the travel of the rotary
 /// axes at their greatest speeds, s, counted from 0, where machines start.
 ///
 /// `pole` is how far the tool may pass the pole by and still count as going through it, radians.
@@ -165,10 +165,10 @@ impl<'a> Lattice<'a> {
         nearest.cross(pole).length() <= self.pole
     }
 
-    /// Whether the tool may be turned over at the end of move `i`: it came there in rapid and leaves in rapid, on a link.
-    fn is_clear(&self, i: usize) -> bool {
-        let rapid_link = |step: &Move| step.role == Role::Link && step.rate == Rate::Rapid;
-        rapid_link(&self.moves[i]) && self.moves.get(i + 1).is_some_and(rapid_link)
+    /// Whether the tool may be turned over at the end of move `i`: between two moves of a link, from where it can draw back.
+    fn is_on_link(&self, i: usize) -> bool {
+        let links = |step: &Move| step.role == Role::Link;
+        links(&self.moves[i]) && self.moves.get(i + 1).is_some_and(links)
     }
 
     fn walk(&self) -> Result<Walked, MotionError> {
@@ -202,7 +202,7 @@ impl<'a> Lattice<'a> {
             if next.iter().all(|cost| cost.is_infinite()) {
                 return Err(self.stuck(i, &costs));
             }
-            if self.is_clear(i) {
+            if self.is_on_link(i) {
                 turned.insert(i, self.turn_over(i, &mut next));
             }
             std::mem::swap(&mut costs, &mut next);
@@ -296,7 +296,7 @@ impl<'a> Lattice<'a> {
             None => self.beyond_by(i, node.way).first().map(|(axis, ..)| *axis),
         };
         let letter = axis.or_else(|| self.kinematics.axes().last()).map_or('?', |axis| axis.letter);
-        let since = (0..i).rev().find(|k| self.is_clear(*k)).unwrap_or(0);
+        let since = (0..i).rev().find(|k| self.is_on_link(*k)).unwrap_or(0);
         MotionError::NoTurn { index: i, point: self.moves[i].to.tip, letter, since }
     }
 }

@@ -1,5 +1,6 @@
 //! From a toolpath to the motion of a machine's axes.
 
+use super::ball::Ball;
 use super::choose::choose;
 use super::follow::{Follower, Place};
 use super::{Axis, AxisMove, AxisPath, Following, Kinematics, MotionError, Position};
@@ -16,7 +17,7 @@ use glam::DVec3;
 /// slice) that of the tip. It is asked for, and lowered where an axis would go faster than it can.
 ///
 /// Errors name the move, its end, and the axis: a pose that the machine cannot reach, a limit that the path leaves, a turn for which the path
-/// offers no place.
+/// offers no link.
 pub fn drive(
     kinematics: &Kinematics,
     path: &Toolpath,
@@ -24,7 +25,7 @@ pub fn drive(
     how: &Following,
 ) -> Result<AxisPath, MotionError> {
     let chosen = choose(kinematics, path, 0.5 * how.feed.axis)?;
-    let mut driver = Driver { kinematics, how, path: AxisPath::default() };
+    let mut driver = Driver { kinematics, how, cuts: Ball::around(path), path: AxisPath::default() };
     driver.path.moves.reserve(path.moves.len());
     for (index, (step, chosen)) in path.moves.iter().zip(&chosen).enumerate() {
         let length = match (index, contacts.get(index)) {
@@ -52,6 +53,7 @@ struct Leg<'a> {
 struct Driver<'a> {
     kinematics: &'a Kinematics,
     how: &'a Following,
+    cuts: Ball,
     path: AxisPath,
 }
 
@@ -116,15 +118,17 @@ impl Driver<'_> {
         Ok(())
     }
 
-    /// Draws the tool back along its axis, turns the rotary axes to `leave` while the tip stays, and returns.
+    /// Draws the tool back along its axis until its tip is beyond every cut, turns the rotary axes to `leave` while the tip stays, and
+    /// returns.
     fn turn_over(&mut self, index: usize, step: &Move, leave: [f64; 2]) -> Result<(), MotionError> {
         let arrived = self.path.moves.len();
         self.path.turn_overs += 1;
         let mut result = Ok(());
-        // As far back as the limits let it.
+        // As far beyond as the limits let it.
         for share in [1.0, 0.5, 0.25, 0.0] {
             self.path.moves.truncate(arrived);
-            result = self.turn_over_at(index, step, leave, share * self.how.retract);
+            let by = self.cuts.way_out(&step.to, share * self.how.clearance);
+            result = self.turn_over_at(index, step, leave, by);
             if result.is_ok() {
                 break;
             }

@@ -70,7 +70,7 @@ pub enum MotionError {
     /// An axis must turn back, and the cutter is never out of the part to do it.
     #[error(
         "move {index} to ({:.3}, {:.3}, {:.3}): {letter} is at its limit and must turn back, but since move {since} the path offers \
-         no place clear of the part (the end of one rapid move and the start of another): cut in shorter passes, or start elsewhere",
+         no link to do it on (two moves between passes, one after the other): cut in shorter passes, or start elsewhere",
          point.x, point.y, point.z
     )]
     NoTurn {

@@ -3,9 +3,10 @@
 use super::ends::wrapped;
 use super::{Control, Kinematics, Position, Tolerance};
 use crate::toolpath::ClPoint;
+use glam::DVec3;
 
-/// The largest turn of an axis in one piece, radians. Within it the tip's bow is that of a parabola to a part in a thousand, so that it
-/// is enough to look at its middle.
+/// The largest turn of an axis in one piece, radians. Within a turn of θ the tip's bow is that of a parabola to about its θ-th part, so
+/// that it is enough to look at its middle, with that part in hand.
 pub(super) const LARGEST_TURN: f64 = 0.1;
 /// How often a piece may be halved: what a thousandth of a millimetre in a kilometre would ask for.
 const MOST_HALVINGS: u32 = 40;
@@ -99,8 +100,7 @@ impl Follower<'_> {
             return Halved::Keeps;
         }
         let [a, b] = [begin, end].map(|place| from.tip.lerp(to.tip, place.share));
-        let along = (b - a).try_normalize().map_or(glam::DVec3::ZERO, |way| way * way.dot(pose.tip - a));
-        if turn > LARGEST_TURN || (pose.tip - a - along).length() > self.tolerance.chord {
+        if turn > LARGEST_TURN || distance(pose.tip, [a, b]) > (1.0 - turn) * self.tolerance.chord {
             return self.place(share, &middle, half.rotary);
         }
         Halved::Keeps
@@ -126,6 +126,13 @@ enum Halved {
     At(Place),
     /// The machine cannot point the tool as asked for.
     Never,
+}
+
+/// How far a point is from a straight piece, mm: also beyond the ends of it, where the tip must not go either.
+fn distance(point: DVec3, [a, b]: [DVec3; 2]) -> f64 {
+    let way = b - a;
+    let share = (point - a).dot(way) / way.length_squared();
+    point.distance(if share > 0.0 { a + share.min(1.0) * way } else { a })
 }
 
 /// Where the tool is at a share of a straight move.

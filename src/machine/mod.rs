@@ -13,6 +13,7 @@
 
 mod axis;
 mod axis_path;
+mod ball;
 mod choose;
 mod description;
 mod drive;

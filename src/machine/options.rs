@@ -32,19 +32,19 @@ pub struct Following {
     /// The step that rotary angles are rounded to before the linear axes are found for them, radians: what the program's decimals
     /// can state. The tip stays where it is all the same.
     pub rotary_step: f64,
-    /// How far the tool draws back along its axis before it is turned over on a link, mm; less where the limits ask for it.
-    pub retract: f64,
+    /// How far beyond every cut of the path the tip stays while the tool is turned over on a link, mm; less where limits ask for it.
+    pub clearance: f64,
 }
 
 impl Following {
-    /// A micrometre and 0.005° at feed, a twentieth of a millimetre and half a degree in rapid, angles to 10⁻⁴ degrees, 100 mm back.
+    /// A micrometre and 0.005° at feed, a twentieth of a millimetre and half a degree in rapid, angles to 10⁻⁴ degrees, 50 mm beyond the cuts.
     pub fn new(control: Control) -> Self {
         Self {
             control,
             feed: Tolerance { chord: 1e-3, axis: 0.005f64.to_radians() },
             rapid: Tolerance { chord: 0.05, axis: 0.5f64.to_radians() },
             rotary_step: 1e-4f64.to_radians(),
-            retract: 100.0,
+            clearance: 50.0,
         }
     }
 }

@@ -46,8 +46,9 @@ fn assert_follows(kinematics: &Kinematics, path: &Toolpath, axes: &AxisPath, how
             }
             let pose = kinematics.pose(&at);
             let way = b.to.tip - a.to.tip;
-            let along = way.try_normalize().map_or(DVec3::ZERO, |u| u * u.dot(pose.tip - a.to.tip));
-            let off = (pose.tip - a.to.tip - along).length();
+            let share = (pose.tip - a.to.tip).dot(way) / way.length_squared();
+            let nearest = if share > 0.0 { a.to.tip + share.min(1.0) * way } else { a.to.tip };
+            let off = pose.tip.distance(nearest);
             assert!(off < 1.01 * tolerance.chord + 1e-9, "the tip is off by {off} between {a:?} and {b:?}");
             if b.rate != Rate::Rapid {
                 let (from, to) = (&path.moves[b.source - 1].to, &path.moves[b.source].to);
@@ -202,7 +203,7 @@ fn an_axis_at_its_limit_turns_back_on_a_link_or_says_where_it_cannot() {
     assert_follows(&kinematics, &path, &axes, &how);
     let back = axes.moves.iter().filter(|m| !m.is_end && m.rate == Rate::Rapid);
     let drawn = back.map(|m| m.to.tip.z).fold(f64::NEG_INFINITY, f64::max);
-    assert!(drawn > 120.0, "drawn back to z = {drawn}");
+    assert!(drawn > 60.0, "drawn back to z = {drawn}");
 }
 
 #[test]

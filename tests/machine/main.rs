@@ -4,4 +4,6 @@ mod description;
 mod drive;
 mod examples;
 mod kinematics;
+mod read_back;
+mod text;
 mod time;

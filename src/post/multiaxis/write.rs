@@ -161,13 +161,11 @@ impl<'a> Blocks<'a> {
     }
 
     fn line(&mut self, line: &str) {
-        // The sign of beginning and end stands alone.
-        if line == "%" {
-            self.text.push_str(line);
-        } else {
+        // The program's name and the sign of its beginning and end have no number.
+        if self.format.counted || !self.format.passed.iter().any(|passed| line.starts_with(passed)) {
             self.begin();
-            self.text.push_str(line);
         }
+        self.text.push_str(line);
         self.end();
     }
 
@@ -225,6 +223,10 @@ impl<'a> Blocks<'a> {
             Feed::InverseTime => 60.0 / seconds,
             Feed::PerMinute => 60.0 * way(&from.to, &to.to, self.layout) / seconds,
         };
+        if feed == 0.0 {
+            // Nothing moves, and the feed before it holds on.
+            return;
+        }
         let feed = scaled(feed, FEED_DECIMALS).max(1);
         if self.format.feed == Feed::InverseTime || feed != self.feed {
             self.text.push_str(" F");

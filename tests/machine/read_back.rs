@@ -1,0 +1,116 @@
+//! What programs state is what was planned: the gallery's jobs on every machine that can hold them, in every dialect.
+
+use crate::examples::{TEXTS, example};
+use std::num::NonZeroUsize;
+use std::sync::OnceLock;
+use stepover::job::machines::{Dialect, PostOptions, Posted, post_program};
+use stepover::job::{self, JobError};
+use stepover::machine::Control;
+use stepover::monitor::{Silent, Stage};
+use stepover::post::Program;
+use stepover::toolpath::Rate;
+use stepover::verify::{Options, Samples, Verification, verify};
+
+/// A job of the gallery, planned.
+struct Job {
+    id: &'static str,
+    program: Program,
+    samples: Samples,
+    scallop: f64,
+}
+
+/// The gallery's jobs, coarser than there where that saves minutes and shows as much.
+fn jobs() -> &'static [Job] {
+    static JOBS: OnceLock<Vec<Job>> = OnceLock::new();
+    JOBS.get_or_init(|| {
+        let stage = Stage::whole(&Silent, NonZeroUsize::MIN);
+        let plan = |mut example: job::Example| {
+            example.spec.tolerance.scallop_mm = example.spec.tolerance.scallop_mm.max(0.03);
+            let plan = job::plan(&example.spec, None, &stage).unwrap();
+            let (shape, _) = example.spec.source.shape(None).unwrap();
+            let job::Shape::Face(face) = shape else { panic!("a surface") };
+            let samples = Samples::of_face(&face, 1.5).unwrap();
+            let scallop = example.spec.tolerance.scallop_mm;
+            Job { id: example.id, program: plan.emitted, samples, scallop }
+        };
+        job::gallery().into_iter().map(plan).collect()
+    })
+}
+
+fn proof(job: &Job, path: &stepover::toolpath::Toolpath) -> Verification {
+    let options = Options { most_refined: 0, ..Options::for_height(job.scallop, &job.program.cutter) };
+    verify(&job.program.cutter, path, &job.samples, &options, &Stage::whole(&Silent, NonZeroUsize::MIN))
+        .unwrap()
+}
+
+fn posted(job: &Job, machine: &str, dialect: Dialect) -> Result<Posted, JobError> {
+    // Tenths of a micrometre, so that the bow between positions is below what is asked of excess and gouge.
+    let options = PostOptions { chord_mm: 5e-5, axis_deg: 2e-4, ..PostOptions::new(dialect) };
+    post_program(&job.program, &example(machine), &options)
+}
+
+#[test]
+fn every_job_reads_back_from_every_dialect_on_every_machine() {
+    for job in jobs() {
+        for (machine, _) in TEXTS.iter().filter(|(name, _)| *name != "three_axis") {
+            for dialect in Dialect::ALL.into_iter().filter(|d| *d != Dialect::Grbl) {
+                let name = format!("{} on {machine} in {}", job.id, dialect.name());
+                let posted = posted(job, machine, dialect).unwrap_or_else(|e| panic!("{name}: {e}"));
+                let off = posted.deviation;
+                assert!(off.tip_mm < 1e-3 && off.axis_deg < 1e-3, "{name}: {off:?}");
+                assert!(
+                    !posted.text.contains(['e', 'E'])
+                        || dialect.control() == Control::Vector
+                        || !has_exponent(&posted.text),
+                    "{name}"
+                );
+            }
+        }
+    }
+}
+
+/// Whether a number is stated with an exponent.
+fn has_exponent(text: &str) -> bool {
+    text.as_bytes().windows(3).any(|w| {
+        w[0].is_ascii_digit() && matches!(w[1], b'e' | b'E') && (w[2].is_ascii_digit() || w[2] == b'-')
+    })
+}
+
+#[test]
+fn what_is_cut_is_what_was_planned() {
+    // Every machine once with its axes' own motion, and every way of stating it once on one machine.
+    let axes = ["table_table_ac", "table_table_bc", "head_table_bc", "head_head_ab", "head_head_ac"]
+        .map(|machine| (machine, Dialect::LinuxCnc));
+    let others = [Dialect::FanucTip, Dialect::SiemensVector].map(|dialect| ("table_table_ac", dialect));
+    for job in jobs() {
+        let planned = proof(job, &job.program.toolpath);
+        for (machine, dialect) in axes.into_iter().chain(others) {
+            let posted = posted(job, machine, dialect).unwrap();
+            let cut = proof(job, &posted.read);
+            let name = format!("{} on {machine} in {}", job.id, dialect.name());
+            for (a, b) in planned.excess.iter().zip(&cut.excess) {
+                assert!(a == b || (a - b).abs() < 1e-4, "{name}: {a} became {b}");
+            }
+        }
+    }
+}
+
+#[test]
+fn times_of_blocks_are_what_the_axes_need() {
+    let job = &jobs()[0];
+    let posted = posted(job, "table_table_ac", Dialect::LinuxCnc).unwrap();
+    for pair in posted.path.moves.windows(2) {
+        let [a, b] = pair else { unreachable!() };
+        for (axis, (from, to)) in posted.kinematics.axes().iter().zip(a.at.all().into_iter().zip(b.at.all()))
+        {
+            assert!((to - from).abs() <= axis.speed * b.seconds * (1.0 + 1e-9), "{}", axis.letter);
+        }
+        if let Rate::Feed(feed) = b.rate {
+            let length = a.to.tip.distance(b.to.tip);
+            assert!(60.0 * length <= feed * b.seconds * (1.0 + 1e-6));
+        }
+    }
+    // Accelerating takes longer than not to, and no kind of move takes less than at constant speed.
+    let nominal: f64 = posted.path.moves.iter().map(|m| m.seconds).sum();
+    assert!(posted.times.total() > nominal);
+}
