@@ -20,7 +20,7 @@ const SUITES: [Suite; 9] = [
     Suite { id: "lint", name: "Rust lints, native", dialect: Dialect::Whole, run: lint },
     Suite { id: "lint-wasm", name: "Rust lints, WebAssembly", dialect: Dialect::Whole, run: lint_wasm },
     Suite { id: "native", name: "Native tests", dialect: Dialect::Cargo, run: native },
-    Suite { id: "rs274", name: "Lathe G-code in LinuxCNC", dialect: Dialect::Cargo, run: rs274::run },
+    Suite { id: "rs274", name: "G-code in LinuxCNC", dialect: Dialect::Cargo, run: rs274::run },
     Suite { id: "module", name: "WebAssembly module in Node", dialect: Dialect::Node, run: module },
     Suite { id: "style", name: "Page format and lints", dialect: Dialect::Whole, run: style },
     Suite { id: "types", name: "Page types", dialect: Dialect::Whole, run: types },

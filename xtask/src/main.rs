@@ -4,6 +4,7 @@
 
 mod bench;
 mod browser;
+mod canonical;
 mod check;
 mod page;
 mod rates;
