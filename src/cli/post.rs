@@ -19,6 +19,9 @@ pub(super) struct Post {
     /// The program; printed if not given.
     #[arg(long)]
     out: Option<PathBuf>,
+    /// Also write the path that the program reads back as, APT text, for `stepover verify`.
+    #[arg(long)]
+    read_back: Option<PathBuf>,
     /// Length of the tool from the spindle's nose to the tip, mm; if not given, half of the longest that the machine takes, or the
     /// cutter's height if that is more.
     #[arg(long)]
@@ -74,6 +77,9 @@ impl Post {
         };
         let posted =
             machines::post(&read_text(&self.apt)?, &machine, &options).map_err(|e| in_file(&self.apt, &e))?;
+        if let Some(read_back) = &self.read_back {
+            write_whole(read_back, &posted.read_back())?;
+        }
         let Some(out) = &self.out else { return print(posted.text.trim_end()) };
         write_whole(out, &posted.text)?;
         summary(&posted)

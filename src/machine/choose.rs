@@ -1,6 +1,7 @@
 //! Which of both solutions, and which turn of each rotary axis, at the end of every move: the least travel over the whole program.
 
 use super::ends::{End, ends, wrapped};
+use super::spread::spread;
 use super::{Axis, Kinematics, MotionError};
 use crate::toolpath::{Move, Role, Toolpath};
 use std::collections::BTreeMap;
@@ -35,7 +36,9 @@ pub(super) fn choose(
     let ends = ends(kinematics, path)?;
     let lattice = Lattice::new(kinematics, &ends, &path.moves, pole);
     let walked = lattice.walk()?;
-    Ok(lattice.angles(&walked))
+    let mut chosen = lattice.angles(&walked);
+    spread(&mut chosen, &ends, &path.moves);
+    Ok(chosen)
 }
 
 /// Turns of an axis that its limits allow.

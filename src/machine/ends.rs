@@ -11,6 +11,8 @@ pub(super) struct End {
     pub(super) rotary: [[f64; 2]; 2],
     /// The sine of the angle from where both solutions become one.
     pub(super) apart: f64,
+    /// Whether the tool stands in the pole, where the first rotary axis is free.
+    pub(super) is_free: bool,
     /// Whether the linear axes are within their limits in each.
     pub(super) holds: [bool; 2],
 }
@@ -34,11 +36,11 @@ pub(super) fn ends(kinematics: &Kinematics, path: &Toolpath) -> Result<Vec<End>,
             return Err(MotionError::NotFinite { index });
         }
         let ways = kinematics.ways(step.to.axis).ok_or_else(|| unreachable(kinematics, index, step))?;
-        let mut end = End { rotary: ways.pairs, apart: ways.apart, holds: [false; 2] };
-        let in_pole = kinematics.pole().is_some_and(|pole| pole.cross(step.to.axis).length() < POLE);
-        if let (true, Some(free)) = (in_pole, last) {
+        let is_free = kinematics.pole().is_some_and(|pole| pole.cross(step.to.axis).length() < POLE);
+        let mut end = End { rotary: ways.pairs, apart: ways.apart, is_free, holds: [false; 2] };
+        if let (true, Some(free)) = (is_free, last) {
             [end.rotary[0][0], end.rotary[1][0]] = free;
-        } else if !in_pole {
+        } else if !is_free {
             let free = [end.rotary[0][0], end.rotary[1][0]];
             if last.is_none() {
                 // Those before it were all in the pole.

@@ -22,6 +22,7 @@ mod error;
 mod follow;
 mod kinematics;
 mod options;
+mod spread;
 mod time;
 mod trace;
 mod two_turns;

@@ -11,8 +11,8 @@ const RAPID: (Rate, Role) = (Rate::Rapid, Role::Link);
 
 /// A tool at `tip` that leans by `lean` degrees towards `azimuth` degrees.
 fn pose(tip: DVec3, lean: f64, azimuth: f64) -> ClPoint {
-    let (s, c) = lean.to_radians().sin_cos();
-    let (sa, ca) = azimuth.to_radians().sin_cos();
+    let (s, c) = libm::sincos(lean.to_radians());
+    let (sa, ca) = libm::sincos(azimuth.to_radians());
     ClPoint { tip, axis: DVec3::new(s * ca, s * sa, c) }
 }
 
@@ -73,8 +73,8 @@ fn assert_follows(kinematics: &Kinematics, path: &Toolpath, axes: &AxisPath, how
 fn every_machine_follows_a_wavy_pass_within_its_tolerances() {
     let wave = |k: u32| {
         let t = f64::from(k) / 60.0;
-        let tip = DVec3::new(60.0 * t - 30.0, 10.0 * (5.0 * t).sin(), 5.0 + 3.0 * (7.0 * t).cos());
-        (pose(tip, 12.0 + 10.0 * (4.0 * t).sin(), 40.0 + 300.0 * t), CUT)
+        let tip = DVec3::new(60.0 * t - 30.0, 10.0 * libm::sin(5.0 * t), 5.0 + 3.0 * libm::cos(7.0 * t));
+        (pose(tip, 12.0 + 10.0 * libm::sin(4.0 * t), 40.0 + 300.0 * t), CUT)
     };
     let path = path((0..=60).map(wave));
     for (name, kinematics) in five_axis() {
@@ -142,6 +142,51 @@ fn a_tilt_that_may_not_change_sign_turns_the_table_in_the_pole() {
 }
 
 #[test]
+fn an_upright_stretch_turns_the_free_axis_on_its_way() {
+    // Leaning to +x, upright over 40 mm, leaning to +y: C turns by 90° between.
+    let lean = |k: i32| match k {
+        ..0 => (f64::from(-k), 0.0),
+        0..=20 => (0.0, 0.0),
+        _ => (f64::from(k - 20), 90.0),
+    };
+    let path = path((-10..=30).map(|k| {
+        let (lean, azimuth) = lean(k);
+        (pose(DVec3::new(2.0 * f64::from(k), 10.0, 0.0), lean, azimuth), CUT)
+    }));
+    for name in ["table_table_ac", "head_table_bc", "head_head_ac"] {
+        let kinematics = Kinematics::new(&example(name), 120.0).unwrap();
+        let how = Following::new(Control::Axes);
+        let axes = drive(&kinematics, &path, &[], &how).unwrap();
+        assert_follows(&kinematics, &path, &axes, &how);
+        let upright: Vec<f64> = axes
+            .moves
+            .iter()
+            .filter(|m| m.is_end && (10..=30).contains(&m.source))
+            .map(|m| m.at.rotary[0])
+            .collect();
+        let whole = (upright[20] - upright[0]).abs().to_degrees();
+        assert!((whole - 90.0 * 20.0 / 22.0).abs() < 0.01, "{name}: {whole}°");
+        // The tip never stands still while C turns.
+        assert!(axes.moves.windows(2).all(|w| w[0].to.tip.distance(w[1].to.tip) > 1e-3), "{name}");
+    }
+}
+
+#[test]
+fn feed_is_that_of_the_contact_where_it_is_known() {
+    let cut = |k: u32| (pose(DVec3::new(f64::from(k), 0.0, 20.0), 5.0, 0.0), CUT);
+    let path = path((0..10).map(cut));
+    // The contact goes twice as far as the tip, as on the outside of a bend.
+    let contacts: Vec<DVec3> = path.moves.iter().map(|m| 2.0 * m.to.tip).collect();
+    let kinematics = Kinematics::new(&example("head_head_ac"), 120.0).unwrap();
+    let seconds = |contacts: &[DVec3]| -> f64 {
+        let axes = drive(&kinematics, &path, contacts, &Following::new(Control::Axes)).unwrap();
+        axes.moves.iter().map(|m| m.seconds).sum()
+    };
+    assert!((seconds(&[]) - 60.0 * 9.0 / 2000.0).abs() < 1e-9);
+    assert!((seconds(&contacts) - 60.0 * 18.0 / 2000.0).abs() < 1e-9);
+}
+
+#[test]
 fn the_solution_that_lasts_is_taken_and_not_the_nearest_at_first() {
     // A of the trunnion goes from −120° to 30°. Leaning by 10° both solutions fit, and A = 10° with C = 0 is the nearer; leaning by
     // 60° only A = −60° does.
@@ -157,7 +202,7 @@ fn around(turns: f64, how: (Rate, Role)) -> Vec<(ClPoint, (Rate, Role))> {
     let steps = (60.0 * turns) as u32;
     let at = |k: u32| {
         let azimuth = 360.0 * turns * f64::from(k) / f64::from(steps);
-        let (s, c) = azimuth.to_radians().sin_cos();
+        let (s, c) = libm::sincos(azimuth.to_radians());
         (pose(DVec3::new(20.0 * c, 20.0 * s, 0.0), 20.0, azimuth), how)
     };
     (0..=steps).map(at).collect()

@@ -142,11 +142,11 @@ proptest! {
 
     #[test]
     fn nothing_is_lost_near_the_pole(exponent in -14.0..-1.0f64, azimuth in -180.0..180.0f64, first in -180.0..180.0f64) {
-        let lean = 10f64.powf(exponent).to_degrees();
+        let lean = libm::pow(10.0, exponent).to_degrees();
         for (_, kinematics) in five_axis() {
             let position = at([10.0, 20.0, -30.0], [first, lean]);
             assert_inverse(&kinematics, &position);
-            let (sine, cosine) = azimuth.to_radians().sin_cos();
+            let (sine, cosine) = libm::sincos(azimuth.to_radians());
             let axis = DVec3::new(cosine * lean.to_radians(), sine * lean.to_radians(), 1.0).normalize();
             let pose = ClPoint { tip: DVec3::new(1.0, 2.0, 3.0), axis };
             for solution in kinematics.inverse(&pose).unwrap() {
@@ -166,7 +166,7 @@ fn a_nutating_head_reaches_only_half_of_all_directions() {
     let kinematics = Kinematics::new(&machine, 120.0).unwrap();
     let leaning = |degrees: f64| ClPoint {
         tip: DVec3::ZERO,
-        axis: DVec3::new(degrees.to_radians().sin(), 0.0, degrees.to_radians().cos()),
+        axis: DVec3::new(libm::sin(degrees.to_radians()), 0.0, libm::cos(degrees.to_radians())),
     };
     assert!(kinematics.inverse(&leaning(91.0)).is_none());
     for degrees in [0.0, 1e-7, 30.0, 89.999, 90.0] {

@@ -1,5 +1,6 @@
 //! Machines: their description, their axes, and the programs that they run.
 
+mod command;
 mod description;
 mod drive;
 mod examples;

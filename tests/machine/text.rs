@@ -15,7 +15,7 @@ fn program(lean: f64) -> Program {
     use Rate::{Feed, Rapid};
     use Role::{Cut, Link};
     let step = |tip: [f64; 3], lean: f64, rate, role| {
-        let axis = DVec3::new(lean.to_radians().sin(), 0.0, lean.to_radians().cos());
+        let axis = DVec3::new(libm::sin(lean.to_radians()), 0.0, libm::cos(lean.to_radians()));
         Move { to: ClPoint { tip: tip.into(), axis }, rate, role }
     };
     let moves = vec![

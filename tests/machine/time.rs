@@ -118,9 +118,9 @@ fn waves(lean: f64) -> Toolpath {
         let y = 4.0 * f64::from(pass);
         let at = |x: f64| {
             let kink = if x > 20.0 { x - 20.0 } else { 0.0 };
-            let axis =
-                DVec3::new(lean * (0.2 * x).sin(), 0.1 + 0.3 * lean * (0.1 * x + y).cos(), 1.0).normalize();
-            ClPoint { tip: DVec3::new(x - 20.0, y + 0.7 * kink, 20.0 + 2.0 * (0.3 * x).sin()), axis }
+            let axis = DVec3::new(lean * libm::sin(0.2 * x), 0.1 + 0.3 * lean * libm::cos(0.1 * x + y), 1.0)
+                .normalize();
+            ClPoint { tip: DVec3::new(x - 20.0, y + 0.7 * kink, 20.0 + 2.0 * libm::sin(0.3 * x)), axis }
         };
         let up = |cl: ClPoint| ClPoint { tip: cl.tip + 30.0 * cl.axis, ..cl };
         let mut push = |to, rate, role| path.moves.push(Move { to, rate, role });

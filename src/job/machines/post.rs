@@ -5,7 +5,6 @@ use crate::job::error::JobError;
 use crate::machine::{AxisPath, Following, Kinematics, Machine, Times, Tolerance, drive, estimate};
 use crate::post::multiaxis::{self, Dialect, Layout, MachineProgram};
 use crate::post::{Program, apt};
-use crate::toolpath::Toolpath;
 
 /// What a program shall keep and look like.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -56,8 +55,8 @@ impl PostOptions {
 pub struct Posted {
     /// The program's text.
     pub text: String,
-    /// The path that the text states, as it was read back.
-    pub read: Toolpath,
+    /// What the text states, as it was read back.
+    pub read: Program,
     /// How far that is from the cutter locations.
     pub deviation: Deviation,
     /// The estimated time, s.
@@ -66,6 +65,13 @@ pub struct Posted {
     pub path: AxisPath,
     /// The machine with its tool.
     pub kinematics: Kinematics,
+}
+
+impl Posted {
+    /// What the text states, as cutter locations (APT).
+    pub fn read_back(&self) -> String {
+        apt::write(&self.read)
+    }
 }
 
 /// Largest difference between a path and what is read back of it: a tip in mm, and an axis in degrees. More is an error of this
@@ -110,5 +116,7 @@ pub fn post_program(program: &Program, machine: &Machine, options: &PostOptions)
             JobError::Post("the program reads back as another path: give it more decimals".into())
         })?;
     let times = estimate(kinematics.axes(), &path);
+    let Program { unit, cutter, tool, spindle_rpm, .. } = *program;
+    let read = Program { part: program.part.clone(), unit, cutter, tool, spindle_rpm, toolpath: read };
     Ok(Posted { text, read, deviation, times, path, kinematics })
 }

@@ -164,7 +164,7 @@ impl<'a> State<'a> {
     fn axis(&self, word: &Word) -> Option<usize> {
         if self.format.control == Control::Vector && self.on {
             let is = |name: &&str| name.trim_end_matches('=') == word.name;
-            if let Some(k) = self.format.vector.iter().position(|name| is(&name)) {
+            if let Some(k) = self.format.vector.iter().position(is) {
                 return Some(5 + k);
             }
         }
