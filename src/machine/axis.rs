@@ -53,10 +53,15 @@ impl Axis {
         matches!(self.joint, Joint::Rotary { .. })
     }
 
-    /// Whether `position` is within the limits, give or take a rounding error.
+    /// Whether `position` is within the limits.
     pub(super) fn holds(&self, position: f64) -> bool {
-        // Far below the last digit of any program, far above the rounding of positions.
-        const SLACK: f64 = 1e-9;
-        self.limits.is_none_or(|[low, high]| position >= low - SLACK && position <= high + SLACK)
+        within(self.limits, position)
     }
+}
+
+/// Whether a position is within limits, give or take a rounding error.
+pub(super) fn within(limits: Option<[f64; 2]>, position: f64) -> bool {
+    // Far below the last digit of any program, far above the rounding of positions.
+    const SLACK: f64 = 1e-9;
+    limits.is_none_or(|[low, high]| position >= low - SLACK && position <= high + SLACK)
 }

@@ -1,11 +1,13 @@
 //! Which of both solutions, and which turn of each rotary axis, at the end of every move: the least travel over the whole program.
 
-use super::ends::{End, ends, wrapped};
+use super::axis::within;
+use super::beyond::{beyond, out_of_limits};
+use super::ends::{End, ends};
 use super::spread::spread;
-use super::{Axis, Kinematics, MotionError};
+use super::turns::Turns;
+use super::{Kinematics, MotionError};
 use crate::toolpath::{Move, Role, Toolpath};
 use std::collections::BTreeMap;
-use std::f64::consts::{PI, TAU};
 
 /// The rotary axes at the end of a move, radians, running on beyond a turn.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,45 +41,6 @@ pub(super) fn choose(
     let mut chosen = lattice.angles(&walked);
     spread(&mut chosen, &ends, &path.moves);
     Ok(chosen)
-}
-
-/// Turns of an axis that its limits allow.
-#[derive(Debug, Clone, Copy)]
-struct Turns {
-    least: i32,
-    count: usize,
-    limits: Option<[f64; 2]>,
-    speed: f64,
-}
-
-impl Turns {
-    /// An axis without limits has one entry, which stands for all of its turns.
-    fn of(axis: Option<&Axis>) -> Self {
-        let none = Self { least: 0, count: 1, limits: None, speed: 1.0 };
-        let Some(&Axis { limits, speed, .. }) = axis else { return none };
-        let Some([low, high]) = limits else { return Self { speed, ..none } };
-        let least = ((low - PI) / TAU).ceil() as i32;
-        let most = ((high + PI) / TAU).floor() as i32;
-        Self { least, count: (most - least + 1).max(1) as usize, limits, speed }
-    }
-
-    fn angle(&self, base: f64, turn: usize) -> f64 {
-        base + TAU * f64::from(self.least + turn as i32)
-    }
-
-    /// The turn that brings `base` nearest to `angle`, if the limits allow it.
-    fn nearest(&self, base: f64, angle: f64) -> Option<usize> {
-        let Some([low, high]) = self.limits else { return Some(0) };
-        let turn = ((angle - base) / TAU).round() as i32 - self.least;
-        let turn = usize::try_from(turn).ok().filter(|turn| *turn < self.count)?;
-        let to = self.angle(base, turn);
-        (to >= low && to <= high).then_some(turn)
-    }
-
-    /// How far it is from one angle to another, radians: an axis without end takes the shorter way.
-    fn travel(&self, from: f64, to: f64) -> f64 {
-        if self.limits.is_some() { to - from } else { wrapped(to - from) }
-    }
 }
 
 /// A solution and the turn of each rotary axis.
@@ -132,11 +95,8 @@ impl<'a> Lattice<'a> {
     }
 
     fn stands(&self, end: &End, node: Node) -> bool {
-        let within = |k: usize, angle: f64| {
-            self.turns[k].limits.is_none_or(|[low, high]| angle >= low && angle <= high)
-        };
-        let [first, second] = self.angles_of(end, node);
-        end.holds[node.way] && within(0, first) && within(1, second)
+        let angles = self.angles_of(end, node);
+        end.holds[node.way] && [0, 1].into_iter().all(|k| within(self.turns[k].limits, angles[k]))
     }
 
     fn travel(&self, from: [f64; 2], to: [f64; 2]) -> f64 {
@@ -185,7 +145,7 @@ impl<'a> Lattice<'a> {
         };
         let mut costs: Vec<f64> = (0..width).map(start).collect();
         if costs.iter().all(|cost| cost.is_infinite()) {
-            return Err(self.beyond(0));
+            return Err(self.out_of_limits(0));
         }
         let mut next = vec![f64::INFINITY; width];
         for i in 1..self.ends.len() {
@@ -254,57 +214,26 @@ impl<'a> Lattice<'a> {
         self.ends.iter().zip(nodes.into_iter().rev()).map(choose).collect()
     }
 
-    /// Why no node stands at the end of move `i`: the axis that is the least beyond its limits.
-    fn beyond(&self, i: usize) -> MotionError {
-        let point = self.moves[i].to.tip;
-        let worst = |way: usize| self.beyond_by(i, way).into_iter().max_by(|a, b| a.2.total_cmp(&b.2));
-        let least = [0, 1].into_iter().filter_map(worst).min_by(|a, b| a.2.total_cmp(&b.2));
-        match least {
-            Some((axis, position, _)) => MotionError::limit(i, point, axis, position),
-            None => MotionError::Jump { index: i, point },
-        }
-    }
-
-    /// The axes that are beyond their limits in solution `way` of move `i`, with their positions and by how many times their range.
-    fn beyond_by(&self, i: usize, way: usize) -> Vec<(&'a Axis, f64, f64)> {
-        let position = self.kinematics.at(self.moves[i].to.tip, self.ends[i].rotary[way]);
-        let axes = self.kinematics.axes().iter().enumerate();
-        axes.filter_map(|(k, axis)| {
-            let [low, high] = axis.limits?;
-            let turn = if axis.is_rotary() { TAU } else { f64::INFINITY };
-            let at = position.all()[k];
-            let nearest = [at, at - turn, at + turn]
-                .into_iter()
-                .filter(|x| x.is_finite())
-                .min_by(|a, b| outside(*a, low, high).total_cmp(&outside(*b, low, high)))?;
-            let by = outside(nearest, low, high) / (high - low);
-            (by > 0.0).then_some((axis, nearest, by))
-        })
-        .collect()
-    }
-
     /// Why the tool cannot follow move `i` from any of the nodes of `costs`.
     fn stuck(&self, i: usize, costs: &[f64]) -> MotionError {
         let stands = (0..self.width()).any(|index| self.stands(&self.ends[i], self.node(index)));
         if !stands {
-            return self.beyond(i);
+            return self.out_of_limits(i);
         }
         let best = (0..costs.len()).min_by(|a, b| costs[*a].total_cmp(&costs[*b])).unwrap_or(0);
         let node = self.node(best);
-        let angles = self.angles_of(&self.ends[i - 1], node);
-        let ends =
-            |k: &usize| self.turns[*k].nearest(self.ends[i].rotary[node.way][*k], angles[*k]).is_none();
-        let axis = match [0, 1].iter().find(|k| ends(k)) {
+        let (end, angles) = (&self.ends[i], self.angles_of(&self.ends[i - 1], node));
+        let is_at_end = |k: &usize| self.turns[*k].nearest(end.rotary[node.way][*k], angles[*k]).is_none();
+        let axis = match [0, 1].iter().find(|k| is_at_end(k)) {
             Some(k) => self.kinematics.axes().get(3 + k),
-            None => self.beyond_by(i, node.way).first().map(|(axis, ..)| *axis),
+            None => beyond(self.kinematics, &self.moves[i], end, node.way).first().map(|found| found.axis),
         };
         let letter = axis.or_else(|| self.kinematics.axes().last()).map_or('?', |axis| axis.letter);
         let since = (0..i).rev().find(|k| self.is_on_link(*k)).unwrap_or(0);
         MotionError::NoTurn { index: i, point: self.moves[i].to.tip, letter, since }
     }
-}
 
-/// How far `x` is outside of a range.
-fn outside(x: f64, low: f64, high: f64) -> f64 {
-    (low - x).max(x - high).max(0.0)
+    fn out_of_limits(&self, i: usize) -> MotionError {
+        out_of_limits(self.kinematics, i, &self.moves[i], &self.ends[i])
+    }
 }

@@ -14,6 +14,7 @@
 mod axis;
 mod axis_path;
 mod ball;
+mod beyond;
 mod choose;
 mod description;
 mod drive;
@@ -25,6 +26,7 @@ mod options;
 mod spread;
 mod time;
 mod trace;
+mod turns;
 mod two_turns;
 
 pub use axis::{Axis, Carries, Joint};

@@ -15,22 +15,21 @@ pub struct Deviation {
 /// times what rounding does, and far less than a skipped block would leave.
 const NEAR: [f64; 2] = [0.01, 1e-3];
 
-/// Compares the ends of the moves of `path`, in their order, with the places that `read` comes through. `None` if it does not come
-/// near to one of them.
+/// Compares the ends of the moves of `path`, in their order, with the places that `read` comes through: each with the nearest of those that
+/// follow one another near to it. `None` if it does not come near to one of them.
 pub fn deviation(path: &Toolpath, read: &Toolpath) -> Option<Deviation> {
     let mut worst = Deviation::default();
-    let mut places = read.moves.iter().map(|step| step.to).peekable();
-    let mut at = places.next()?;
+    let mut left = &read.moves[..];
     for step in &path.moves {
-        while !is_near(&at, &step.to) {
-            at = places.next()?;
-        }
-        // Short moves may come near before they arrive.
-        while let Some(next) = places.next_if(|next| off(next, &step.to) < off(&at, &step.to)) {
-            at = next;
-        }
-        worst.tip_mm = worst.tip_mm.max(at.tip.distance(step.to.tip));
-        worst.axis_deg = worst.axis_deg.max(at.axis.angle_between(step.to.axis).to_degrees());
+        let first = left.iter().position(|place| is_near(&place.to, &step.to))?;
+        let near = left[first..].iter().take_while(|place| is_near(&place.to, &step.to));
+        let (best, place) = near
+            .enumerate()
+            .min_by(|(_, a), (_, b)| off(&a.to, &step.to).total_cmp(&off(&b.to, &step.to)))?;
+        worst.tip_mm = worst.tip_mm.max(place.to.tip.distance(step.to.tip));
+        worst.axis_deg = worst.axis_deg.max(place.to.axis.angle_between(step.to.axis).to_degrees());
+        // The next may end in the same place.
+        left = &left[first + best..];
     }
     Some(worst)
 }
