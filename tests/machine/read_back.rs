@@ -67,14 +67,14 @@ fn every_job_reads_back_from_every_dialect_on_every_machine() {
 fn a_slow_swing_in_the_pole_is_no_deviation() {
     // Rows so close to the pole that C swings round within a hundredth of a millimetre.
     let step = |k: i32| {
-        let axis = DVec3::new(2e-3 * f64::from(k), 1e-4, 1.0).normalize();
-        let to = ClPoint { tip: DVec3::new(0.1 * f64::from(k), 30.0, 0.0), axis };
+        let axis = DVec3::new(3e-3 * (f64::from(k) - 0.34), 2.4e-4, 1.0).normalize();
+        let to = ClPoint { tip: DVec3::new(31.4 - 0.1 * f64::from(k), -29.9, 4.0), axis };
         Move { to, rate: Rate::Feed(3000.0), role: Role::Cut }
     };
     let toolpath = Toolpath { moves: (-40..=40).map(step).collect() };
     let program = Program { toolpath, ..jobs()[0].program.clone() };
     for dialect in [Dialect::LinuxCnc, Dialect::FanucTip] {
-        let posted = post_program(&program, &example("head_head_ac"), &PostOptions::new(dialect)).unwrap();
+        let posted = post_program(&program, &example("table_table_ac"), &PostOptions::new(dialect)).unwrap();
         assert!(posted.deviation.tip_mm < 1e-4, "{:?}", posted.deviation);
     }
 }

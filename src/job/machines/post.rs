@@ -110,11 +110,15 @@ pub fn post_program(program: &Program, machine: &Machine, options: &PostOptions)
     let tolerance = Tolerance { chord: 0.2 * options.chord_mm, axis: 0.2 * options.axis_deg.to_radians() };
     let read = multiaxis::read(&text, options.dialect, &kinematics, &tolerance)
         .map_err(|e| JobError::Post(format!("the program does not read back: {e}")))?;
-    let deviation = deviation(&program.toolpath, &read)
-        .filter(|d| d.tip_mm <= FAITHFUL.tip_mm && d.axis_deg <= FAITHFUL.axis_deg)
-        .ok_or_else(|| {
-            JobError::Post("the program reads back as another path: give it more decimals".into())
-        })?;
+    let deviation = deviation(&program.toolpath, &read).ok_or_else(|| {
+        JobError::Post("the program reads back as another path: give it more decimals".into())
+    })?;
+    let Deviation { tip_mm, axis_deg } = deviation;
+    if tip_mm > FAITHFUL.tip_mm || axis_deg > FAITHFUL.axis_deg {
+        return Err(JobError::Post(format!(
+            "the program reads back {tip_mm:.4} mm and {axis_deg:.4}° off its path: give it more decimals"
+        )));
+    }
     let times = estimate(kinematics.axes(), &path);
     let Program { unit, cutter, tool, spindle_rpm, .. } = *program;
     let read = Program { part: program.part.clone(), unit, cutter, tool, spindle_rpm, toolpath: read };

@@ -21,8 +21,9 @@ pub fn deviation(path: &Toolpath, read: &Toolpath) -> Option<Deviation> {
     let mut worst = Deviation::default();
     let mut left = &read.moves[..];
     for step in &path.moves {
-        let first = left.iter().position(|place| is_near(&place.to, &step.to))?;
-        let near = left[first..].iter().take_while(|place| is_near(&place.to, &step.to));
+        let first = left.iter().position(|place| is_near(&place.to, &step.to, 1.0))?;
+        // What bows on its way does not leave at once where it came near.
+        let near = left[first..].iter().take_while(|place| is_near(&place.to, &step.to, 2.0));
         let (best, place) = near
             .enumerate()
             .min_by(|(_, a), (_, b)| off(&a.to, &step.to).total_cmp(&off(&b.to, &step.to)))?;
@@ -34,8 +35,9 @@ pub fn deviation(path: &Toolpath, read: &Toolpath) -> Option<Deviation> {
     Some(worst)
 }
 
-fn is_near(a: &ClPoint, b: &ClPoint) -> bool {
-    a.tip.distance(b.tip) < NEAR[0] && a.axis.distance(b.axis) < NEAR[1]
+/// Within `times` of [`NEAR`].
+fn is_near(a: &ClPoint, b: &ClPoint, times: f64) -> bool {
+    a.tip.distance(b.tip) < times * NEAR[0] && a.axis.distance(b.axis) < times * NEAR[1]
 }
 
 /// A difference that counts a radian as the end of a 10 mm lever.
