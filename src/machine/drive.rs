@@ -2,7 +2,7 @@
 
 use super::ball::Ball;
 use super::choose::choose;
-use super::follow::{Follower, Place};
+use super::follow::{Follower, Place, Room};
 use super::{Axis, AxisMove, AxisPath, Following, Kinematics, MotionError, Position};
 use crate::toolpath::{ClPoint, Move, Rate, Role, Toolpath};
 use glam::DVec3;
@@ -25,7 +25,13 @@ pub fn drive(
     how: &Following,
 ) -> Result<AxisPath, MotionError> {
     let chosen = choose(kinematics, path, 0.5 * how.feed.axis)?;
-    let mut driver = Driver { kinematics, how, cuts: Ball::around(path), path: AxisPath::default() };
+    let mut driver = Driver {
+        kinematics,
+        how,
+        cuts: Ball::around(path),
+        room: Room::default(),
+        path: AxisPath::default(),
+    };
     driver.path.moves.reserve(path.moves.len());
     for (index, (step, chosen)) in path.moves.iter().zip(&chosen).enumerate() {
         let length = match (index, contacts.get(index)) {
@@ -54,6 +60,7 @@ struct Driver<'a> {
     kinematics: &'a Kinematics,
     how: &'a Following,
     cuts: Ball,
+    room: Room,
     path: AxisPath,
 }
 
@@ -84,16 +91,16 @@ impl Driver<'_> {
         };
         let (kinematics, control, step_angle) = (self.kinematics, self.how.control, self.how.rotary_step);
         let follower = Follower { kinematics, control, tolerance, step: step_angle, keeps_axis };
-        let mut places = Vec::new();
-        if !follower.follow([&last.to, &step.to], [last.at, end], &mut places) {
+        let mut room = std::mem::take(&mut self.room);
+        if !follower.follow([&last.to, &step.to], [last.at, end], &mut room) {
             return Err(MotionError::Jump { index: source, point: step.to.tip });
         }
-        places.push(Place { share: 1.0, at: end });
         let mut before = 0.0;
-        for place in places {
+        for &place in room.places.iter().chain([&Place { share: 1.0, at: end }]) {
             self.push(&leg, place, (place.share - before) * length)?;
             before = place.share;
         }
+        self.room = room;
         Ok(())
     }
 

@@ -20,6 +20,15 @@ pub(super) struct Place {
     pub(super) at: Position,
 }
 
+/// What following needs room for, kept from move to move.
+#[derive(Debug, Default)]
+pub(super) struct Room {
+    /// What was found: the places of the move in their order.
+    pub(super) places: Vec<Place>,
+    /// Ends of pieces that are still to be looked at, the nearest last, with how often each was halved.
+    left: Vec<(Place, u32)>,
+}
+
 /// Follows straight moves of tip and axis.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Follower<'a> {
@@ -33,7 +42,7 @@ pub(super) struct Follower<'a> {
 }
 
 impl Follower<'_> {
-    /// Appends the places between `from` and `to`, without these, in the order of the move. The axes stand at `start` and `end` there.
+    /// Finds the places between `from` and `to`, without these, in the order of the move. The axes stand at `start` and `end` there.
     /// False if the tolerance cannot be kept.
     ///
     /// A piece whose axis would stray is halved where the move's own axis is reached, one whose tip would bow is halved where the
@@ -43,12 +52,14 @@ impl Follower<'_> {
         &self,
         [from, to]: [&ClPoint; 2],
         [start, end]: [Position; 2],
-        places: &mut Vec<Place>,
+        Room { places, left }: &mut Room,
     ) -> bool {
+        places.clear();
+        left.clear();
         if self.control == Control::Vector {
             return true;
         }
-        let mut left = vec![(Place { share: 1.0, at: end }, 0)];
+        left.push((Place { share: 1.0, at: end }, 0));
         let mut begin = Place { share: 0.0, at: start };
         while let Some(&(piece_end, halvings)) = left.last() {
             let middle = match self.halve([from, to], [&begin, &piece_end]) {

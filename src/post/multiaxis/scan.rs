@@ -23,14 +23,7 @@ pub(super) struct Line<'a> {
 }
 
 impl<'a> Line<'a> {
-    /// Takes a line apart. Lines that say nothing of the path come out empty.
-    pub(super) fn parse(format: &Format, number: usize, raw: &'a str) -> Result<Self, ReadError> {
-        let mut line = Self::default();
-        line.fill(format, number, raw)?;
-        Ok(line)
-    }
-
-    /// Likewise, in place.
+    /// Takes a line apart, in place of the one before. Lines that say nothing of the path come out empty.
     pub(super) fn fill(&mut self, format: &Format, number: usize, raw: &'a str) -> Result<(), ReadError> {
         let error = |word: &str, message: &str| Err(ReadError::statement(number, word, message));
         self.words.clear();
