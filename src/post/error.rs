@@ -76,22 +76,4 @@ pub enum WriteError {
         /// The move, counted from 0.
         index: usize,
     },
-    /// A dialect cannot state what the machine does.
-    #[error("{dialect} {message}")]
-    Dialect {
-        /// The dialect's name.
-        dialect: &'static str,
-        /// What would be right.
-        message: &'static str,
-    },
-    /// The program is longer than asked for.
-    #[error(
-        "the program has {blocks} blocks, more than the {most} that the control takes: plan with a coarser tolerance, or split it"
-    )]
-    TooLong {
-        /// Its blocks.
-        blocks: usize,
-        /// How many there may be.
-        most: usize,
-    },
 }

@@ -8,6 +8,7 @@
 //! decimals it is off by at most 0.09 µm in space.
 
 mod dialect;
+mod error;
 mod format;
 mod layout;
 mod read;
@@ -15,6 +16,7 @@ mod scan;
 mod write;
 
 pub use dialect::Dialect;
+pub use error::PostError;
 pub use layout::Layout;
 pub use read::read;
 pub use write::write;

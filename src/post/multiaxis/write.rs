@@ -1,9 +1,9 @@
 //! Programs out.
 
 use super::format::{Feed, Format, Motion, Rapid};
-use super::{Dialect, Layout, MachineProgram};
+use super::{Dialect, Layout, MachineProgram, PostError};
 use crate::machine::{AxisMove, Control};
-use crate::post::WriteError;
+
 use crate::post::digits::{power, push, scaled};
 use crate::post::mark::Marker;
 use crate::post::number::{fixed, trimmed};
@@ -23,12 +23,12 @@ const LAST_NUMBER: usize = 99_999;
 /// can.
 ///
 /// Errors: no moves; a number that is not finite; a dialect that cannot state the machine's motion; more blocks than the control takes.
-pub fn write(program: &MachineProgram, dialect: Dialect, layout: &Layout) -> Result<String, WriteError> {
+pub fn write(program: &MachineProgram, dialect: Dialect, layout: &Layout) -> Result<String, PostError> {
     let format = dialect.format();
     let moves = &program.path.moves;
-    let first = moves.first().ok_or(WriteError::Empty)?;
+    let first = moves.first().ok_or(PostError::Empty)?;
     let turns = program.kinematics.axes().len() > 3;
-    let refuse = |message| Err(WriteError::Dialect { dialect: format.name, message });
+    let refuse = |message| Err(PostError::Dialect { dialect: format.name, message });
     if dialect == Dialect::Grbl && turns {
         return refuse("has three axes: take a machine without rotary axes");
     }
@@ -41,7 +41,7 @@ pub fn write(program: &MachineProgram, dialect: Dialect, layout: &Layout) -> Res
         step.at.all().iter().all(|x| x.is_finite()) && step.seconds.is_finite() && step.to.axis.is_finite()
     };
     if let Some(step) = moves.iter().find(|step| !finite(step)) {
-        return Err(WriteError::NotFinite { index: step.source });
+        return Err(PostError::NotFinite { index: step.source });
     }
 
     let mut blocks = Blocks::new(program, format, layout);
@@ -58,7 +58,7 @@ pub fn write(program: &MachineProgram, dialect: Dialect, layout: &Layout) -> Res
     }
     blocks.lines(format.closing, &names);
     match layout.most_blocks {
-        Some(most) if blocks.count > most => Err(WriteError::TooLong { blocks: blocks.count, most }),
+        Some(most) if blocks.count > most => Err(PostError::TooLong { blocks: blocks.count, most }),
         _ => Ok(blocks.text),
     }
 }
