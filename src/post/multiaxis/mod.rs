@@ -11,8 +11,10 @@ mod dialect;
 mod error;
 mod format;
 mod layout;
+mod names;
 mod read;
 mod scan;
+mod words;
 mod write;
 
 pub use dialect::Dialect;

@@ -1,13 +1,12 @@
 //! Programs out.
 
 use super::format::{Feed, Format, Motion, Rapid};
+use super::names::Names;
+use super::words::{Numbers, Words};
 use super::{Dialect, Layout, MachineProgram, PostError};
 use crate::machine::{AxisMove, Control};
-
 use crate::post::digits::{power, push, scaled};
 use crate::post::mark::Marker;
-use crate::post::number::{fixed, trimmed};
-use crate::post::program::plain_line;
 use crate::toolpath::{ClPoint, Rate};
 
 /// Decimals of feeds; no feed is stated as less than one of the last.
@@ -45,11 +44,11 @@ pub fn write(program: &MachineProgram, dialect: Dialect, layout: &Layout) -> Res
     }
 
     let mut blocks = Blocks::new(program, format, layout);
-    let names = Names::new(program, &blocks, first);
+    let names = Names::new(program, format, layout, &blocks.words, first);
     blocks.lines(format.opening, &names);
     let mut marker = Marker::default();
     blocks.lines(format.approach, &names);
-    blocks.at = blocks.numbers(first);
+    blocks.at = blocks.words.numbers(first);
     blocks.motion = "G0";
     blocks.remark(marker.before(first.role));
     for pair in moves.windows(2) {
@@ -63,15 +62,10 @@ pub fn write(program: &MachineProgram, dialect: Dialect, layout: &Layout) -> Res
     }
 }
 
-/// The numbers of a block in their last decimals: three of length and two angles, or three of length and three of direction.
-type Numbers = [i64; 6];
-
 struct Blocks<'a> {
-    program: &'a MachineProgram<'a>,
     format: &'static Format,
     layout: &'a Layout,
-    /// What stands before each number, in the order of writing, its place in [`Numbers`], and its decimals.
-    words: Vec<(String, usize, usize)>,
+    words: Words<'a>,
     text: String,
     count: usize,
     motion: &'static str,
@@ -80,61 +74,17 @@ struct Blocks<'a> {
 }
 
 impl<'a> Blocks<'a> {
-    fn new(program: &'a MachineProgram<'a>, format: &'static Format, layout: &'a Layout) -> Self {
-        let word = |k: usize, name: &str, decimals: usize| (name.to_owned(), k, decimals);
-        let mut words: Vec<_> =
-            ["X", "Y", "Z"].iter().enumerate().map(|(k, name)| word(k, name, layout.linear)).collect();
-        if format.control == Control::Vector {
-            words.extend(format.vector.iter().enumerate().map(|(k, name)| word(3 + k, name, layout.vector)));
-        } else {
-            let rotary = program.kinematics.axes()[3..].iter().enumerate();
-            words.extend(rotary.map(|(k, axis)| word(3 + k, &axis.letter.to_string(), layout.rotary)));
-            // A before B before C, wherever they stand in the machine.
-            words[3..].sort();
-        }
+    fn new(program: &MachineProgram<'a>, format: &'static Format, layout: &'a Layout) -> Self {
         Self {
-            program,
             format,
             layout,
-            words,
+            words: Words::new(program, format, layout),
             text: String::with_capacity(program.path.moves.len() * 56 + 2000),
             count: 0,
             motion: "",
             at: [i64::MIN; 6],
             feed: i64::MIN,
         }
-    }
-
-    fn numbers(&self, step: &AxisMove) -> Numbers {
-        let layout = self.layout;
-        let lengths = match self.format.control {
-            Control::Axes => step.at.linear - self.program.kinematics.program_zero(),
-            Control::Tip | Control::Vector => step.to.tip,
-        };
-        let [x, y, z] = lengths.to_array().map(|x| scaled(x, layout.linear));
-        match self.format.control {
-            Control::Vector => {
-                let [i, j, k] = step.to.axis.to_array().map(|x| scaled(x, layout.vector));
-                [x, y, z, i, j, k]
-            }
-            Control::Axes | Control::Tip => {
-                let [first, second] = step.at.rotary.map(|angle| scaled(angle.to_degrees(), layout.rotary));
-                [x, y, z, first, second, 0]
-            }
-        }
-    }
-
-    /// One word: its name, its sign, and its number.
-    fn word(&mut self, which: usize, number: i64) {
-        let (name, _, decimals) = &self.words[which];
-        if !self.text.ends_with(['\n', ' ']) {
-            self.text.push(' ');
-        }
-        self.text.push_str(name);
-        if self.format.plus && number >= 0 {
-            self.text.push('+');
-        }
-        push(&mut self.text, number, *decimals);
     }
 
     fn begin(&mut self) {
@@ -177,9 +127,9 @@ impl<'a> Blocks<'a> {
         }
     }
 
-    /// A block with the words that change; one that changes none repeats the first, so that the move is not lost.
+    /// A block to the end of a move.
     fn go(&mut self, from: &AxisMove, to: &AxisMove) {
-        let numbers = self.numbers(to);
+        let numbers = self.words.numbers(to);
         if self.format.control == Control::Vector && numbers == self.at && !to.is_end {
             // The rotary axes turn over without a motion of the tool on the workpiece; the control does so by itself.
             return;
@@ -190,18 +140,7 @@ impl<'a> Blocks<'a> {
         };
         self.begin();
         self.code(motion);
-        let all = self.format.control == Control::Vector;
-        let mut stated = false;
-        for which in 0..self.words.len() {
-            let place = self.words[which].1;
-            if all || numbers[place] != self.at[place] {
-                self.word(which, numbers[place]);
-                stated = true;
-            }
-        }
-        if !stated {
-            self.word(0, numbers[0]);
-        }
+        self.words.push(&mut self.text, &numbers, Some(&self.at));
         self.at = numbers;
         if is_fed {
             self.feed(from, to);
@@ -243,66 +182,4 @@ const SHORTEST: f64 = 1e-5;
 fn way(from: &ClPoint, to: &ClPoint, layout: &Layout) -> f64 {
     let length = from.tip.distance(to.tip);
     if length * power(layout.linear) >= 1.0 { length } else { from.axis.angle_between(to.axis).to_degrees() }
-}
-
-/// What the names in templates stand for.
-struct Names(Vec<(&'static str, Option<String>)>);
-
-impl Names {
-    fn new(program: &MachineProgram, blocks: &Blocks, first: &AxisMove) -> Self {
-        let kinematics = program.kinematics;
-        let layout = blocks.layout;
-        let sign = |x: f64| if blocks.format.plus && x >= 0.0 { "+" } else { "" };
-        let word = |name: char, x: f64, decimals: usize| format!("{name}{}{}", sign(x), fixed(x, decimals));
-        let lengths = |at: glam::DVec3| {
-            let [x, y, z] = at.to_array();
-            [word('X', x, layout.linear), word('Y', y, layout.linear), word('Z', z, layout.linear)]
-        };
-        let [x, y, _] = lengths(first.at.linear - kinematics.program_zero());
-        let mut rotary: Vec<String> = kinematics.axes()[3..]
-            .iter()
-            .zip(first.at.rotary)
-            .map(|(axis, angle)| word(axis.letter, angle.to_degrees(), layout.rotary))
-            .collect();
-        rotary.sort();
-        let mut start = Blocks::new(program, blocks.format, layout);
-        let numbers = start.numbers(first);
-        for which in 0..start.words.len() {
-            let place = start.words[which].1;
-            start.word(which, numbers[place]);
-        }
-        let top = kinematics.axes()[2].limits.map_or(0.0, |[_, high]| high);
-        let part = plain_line(program.part);
-        let file: String = part.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
-        let [d, r, ..] = program.cutter.apt_parameters();
-        let rpm = program.spindle_rpm.map(|rpm| trimmed(rpm, 3));
-        Self(vec![
-            ("{part}", Some(part)),
-            ("{file}", Some(file)),
-            ("{machine}", Some(plain_line(program.machine))),
-            ("{d}", Some(trimmed(d, 4))),
-            ("{r}", Some(trimmed(r, 4))),
-            ("{length}", Some(trimmed(kinematics.tool_length(), 4))),
-            ("{tool}", Some(program.tool.to_string())),
-            ("{speed}", Some(rpm.as_ref().map_or(String::new(), |rpm| format!(" S{rpm}")))),
-            ("{rpm}", rpm),
-            ("{coolant}", Some(if program.coolant { "M8".into() } else { String::new() })),
-            ("{offset}", Some(lengths(kinematics.work_offset()).join(" "))),
-            ("{top}", Some(word('Z', top, layout.linear)[1..].to_owned())),
-            ("{rotary}", (!rotary.is_empty()).then(|| rotary.join(" "))),
-            ("{xy}", Some(format!("{x} {y}"))),
-            ("{first}", Some(start.text.trim_start().to_owned())),
-        ])
-    }
-
-    /// `template` with what its names stand for; nothing if one of them stands for nothing.
-    fn fill(&self, template: &str) -> Option<String> {
-        let mut line = template.to_owned();
-        for (name, value) in &self.0 {
-            if line.contains(name) {
-                line = line.replace(name, value.as_ref()?);
-            }
-        }
-        Some(line)
-    }
 }
