@@ -24,7 +24,8 @@ pub(super) fn beyond<'a>(kinematics: &'a Kinematics, step: &Move, end: &End, way
         let turns: &[f64] = if axis.is_rotary() { &[0.0, -TAU, TAU] } else { &[0.0] };
         let nearest =
             turns.iter().map(|turn| at + turn).min_by(|a, b| outside(*a).total_cmp(&outside(*b)))?;
-        let by = outside(nearest) / (high - low);
+        // Where X, Y and Z have come to lie in one plane, no position is enough.
+        let by = if at.is_finite() { outside(nearest) / (high - low) } else { f64::INFINITY };
         (by > 0.0).then_some(Beyond { axis, position: nearest, by })
     };
     kinematics.axes().iter().zip(position.all()).filter_map(look).collect()

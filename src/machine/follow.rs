@@ -111,7 +111,7 @@ impl Follower<'_> {
             return Halved::Keeps;
         }
         let [a, b] = [begin, end].map(|place| from.tip.lerp(to.tip, place.share));
-        if turn > LARGEST_TURN || distance(pose.tip, [a, b]) > (1.0 - turn) * self.tolerance.chord {
+        if turn > LARGEST_TURN || bow(pose.tip, [a, b]) > (1.0 - turn) * self.tolerance.chord {
             return self.place(share, &middle, half.rotary);
         }
         Halved::Keeps
@@ -139,11 +139,18 @@ enum Halved {
     Never,
 }
 
-/// How far a point is from a straight piece, mm: also beyond the ends of it, where the tip must not go either.
-fn distance(point: DVec3, [a, b]: [DVec3; 2]) -> f64 {
-    let way = b - a;
-    let share = (point - a).dot(way) / way.length_squared();
-    point.distance(if share > 0.0 { a + share.min(1.0) * way } else { a })
+/// How far the tip strays from a straight piece, mm, if it is at `middle` half-way.
+///
+/// A bow `d` carries it to `a + t (b − a) + 4 t (1 − t) d`. What of `d` lies along the piece does no harm while it is no more than a quarter of
+/// the piece; beyond that the tip overshoots the ends, and all of `d` counts.
+fn bow(middle: DVec3, [a, b]: [DVec3; 2]) -> f64 {
+    let (way, d) = (b - a, middle - 0.5 * (a + b));
+    let along = d.dot(way);
+    if along.abs() <= 0.25 * way.length_squared() {
+        (d - way * (along / way.length_squared().max(f64::MIN_POSITIVE))).length()
+    } else {
+        d.length()
+    }
 }
 
 /// Where the tool is at a share of a straight move.
