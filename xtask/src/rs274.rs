@@ -69,9 +69,11 @@ pub fn run() -> Result<Outcome> {
     let machines = shell::root().join("examples/machines");
     for (part, spec) in PARTS {
         let apt = planned(&folder, part, spec)?;
-        let mut files: Vec<_> = fs::read_dir(&machines)?.collect::<Result<_, _>>()?;
-        files.sort_by_key(fs::DirEntry::file_name);
-        for machine in files.iter().map(fs::DirEntry::path) {
+        let files: Vec<_> = fs::read_dir(&machines)?.collect::<Result<_, _>>()?;
+        let mut files: Vec<PathBuf> = files.iter().map(fs::DirEntry::path).collect();
+        files.retain(|file| file.extension().is_some_and(|end| end == "json"));
+        files.sort();
+        for machine in files {
             if part != "flat" && machine.ends_with("three_axis.json") {
                 continue;
             }

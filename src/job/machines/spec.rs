@@ -69,7 +69,7 @@ enum AxisSpec {
 ///
 /// Errors name the line and column where the text is no JSON, and else the field, that of an axis as `axes.C.point_mm`.
 pub fn machine(json: &str) -> Result<Machine, JobError> {
-    let spec: MachineSpec = serde_json::from_str(json).map_err(|e| JobError::Syntax(e.to_string()))?;
+    let spec: MachineSpec = serde_json::from_str(json).map_err(|e| JobError::Import(e.to_string()))?;
     if spec.version != MACHINE_VERSION {
         let message =
             format!("must be {MACHINE_VERSION}, the version that is read here, not {}", spec.version);
