@@ -1,5 +1,6 @@
 //! All strategies on surfaces of every kind, beside the floor that no path of their posture can stay below; every row proven from its
-//! text. R1 = 3 mm, r = 2 mm, lead 5°, h = 0.01 mm. Words after `--` choose surfaces; `matched` and `widest` choose the posture.
+//! text. R1 = 3 mm, r = 2 mm, h = 0.01 mm; the lead is 5°, or what fits into
+//! hollows that need more. Words after `--` choose surfaces; `matched` and `widest` choose the posture.
 
 use serde_json::{Value, json};
 use std::num::NonZeroUsize;
@@ -15,7 +16,8 @@ fn patch(size: f64, z: impl Fn(f64, f64) -> f64) -> Value {
     json!({"kind": "nurbs", "degrees": [3, 3], "knots_u": knots, "knots_v": knots, "points_mm": points})
 }
 
-fn surfaces() -> Vec<(&'static str, Value)> {
+/// Name, source and lead in degrees.
+fn surfaces() -> Vec<(&'static str, Value, i32)> {
     let gallery: Value = serde_json::from_str(&job::gallery_json()).unwrap_or_default();
     let of_gallery = |k: usize| gallery[k]["spec"]["source"].clone();
     let net = |up: f64| {
@@ -29,21 +31,22 @@ fn surfaces() -> Vec<(&'static str, Value)> {
         })
     };
     vec![
-        ("plane", json!({"kind": "plane", "size_mm": [40, 30]})),
-        ("cap", json!({"kind": "sphere", "radius_mm": 60, "angle_deg": [40, 30]})),
-        ("rod", json!({"kind": "cylinder", "radius_mm": 30, "angle_deg": 70, "length_mm": 40})),
+        ("plane", json!({"kind": "plane", "size_mm": [40, 30]}), 5),
+        ("cap", json!({"kind": "sphere", "radius_mm": 60, "angle_deg": [40, 30]}), 5),
+        ("rod", json!({"kind": "cylinder", "radius_mm": 30, "angle_deg": 70, "length_mm": 40}), 5),
         (
             "trough",
             json!({"kind": "cylinder", "radius_mm": 60, "angle_deg": 35, "length_mm": 40, "side": "back"}),
+            5,
         ),
-        ("saddle", patch(40.0, |x, y| 24.0 * x * y)),
-        ("lens", of_gallery(2)),
-        ("wave", of_gallery(0)),
-        ("hump", patch(50.0, |x, y| 7.0 * libm::exp(-14.0 * (x * x + y * y)))),
-        ("blade", of_gallery(1)),
-        ("ring", json!({"kind": "torus", "major_mm": 30, "minor_mm": 12, "angle_deg": [40, 360]})),
-        ("net", net(1.0)),
-        ("hollow net", net(-1.0)),
+        ("saddle", patch(40.0, |x, y| 24.0 * x * y), 5),
+        ("lens", of_gallery(2), 5),
+        ("wave", of_gallery(0), 15),
+        ("hump", patch(50.0, |x, y| 7.0 * libm::exp(-14.0 * (x * x + y * y))), 5),
+        ("blade", of_gallery(1), 5),
+        ("ring", json!({"kind": "torus", "major_mm": 30, "minor_mm": 12, "angle_deg": [40, 360]}), 15),
+        ("net", net(1.0), 5),
+        ("hollow net", net(-1.0), 30),
     ]
 }
 
@@ -55,21 +58,21 @@ fn main() {
         "| surface | area mm² | floor mm | strategy | passes | cut mm | of floor | link mm | min | excess µm | gouge µm |"
     );
     println!("|---|---|---|---|---|---|---|---|---|---|---|");
-    for (name, source) in surfaces() {
+    for (name, source, lead) in surfaces() {
         if names.is_empty() || names.iter().any(|word| name.contains(word.as_str())) {
-            compare(name, &source, rule.unwrap_or("fixed"));
+            compare(name, &source, lead, rule.unwrap_or("fixed"));
         }
     }
 }
 
 #[allow(clippy::print_stdout)]
-fn compare(name: &str, source: &Value, rule: &str) {
+fn compare(name: &str, source: &Value, lead: i32, rule: &str) {
     let spec = json!({
         "version": 1,
         "name": name,
         "source": source,
         "cutter": {"kind": "bull_nose", "diameter_mm": 10, "corner_radius_mm": 2, "height_mm": 40},
-        "strategy": {"kind": "flow", "rule": rule, "lead_deg": 5},
+        "strategy": {"kind": "flow", "rule": rule, "lead_deg": lead},
         "tolerance": {"scallop_mm": 0.01},
     });
     let spec = Spec::from_json(&spec.to_string()).unwrap();
