@@ -50,6 +50,7 @@ fn surfaces() -> Vec<(&'static str, Value, i32)> {
     ]
 }
 
+#[allow(clippy::print_stdout)]
 fn main() {
     let asked: Vec<String> = std::env::args().skip(1).filter(|arg| !arg.starts_with('-')).collect();
     let rule = ["matched", "widest"].into_iter().find(|rule| asked.iter().any(|word| word == rule));
