@@ -13,18 +13,21 @@ pub struct Cubes {
 /// So many times the most cubes may wait to be sorted.
 const WAITING: usize = 4;
 
+/// The cubes around the origin never become one, however large they are: there is one in each octant.
+const FEWEST: usize = 8;
+
 impl Cubes {
-    /// None yet; of edge `cell` (mm, above 0), one of them with a corner at `origin`, at most `most`.
+    /// None yet; of edge `cell` (mm, above 0), one of them with a corner at `origin`, at most `most`, or 8 if that is less.
     ///
     /// Adding takes time with the area over the square of `cell`: who knows an area beforehand should choose it so that
     /// `most` will do.
     pub fn new(origin: DVec3, cell: f64, most: usize) -> Self {
-        Self { zone: Zone { origin, cell, cells: Vec::new(), area: 0.0 }, most: most.max(1) }
+        Self { zone: Zone { origin, cell, cells: Vec::new(), area: 0.0 }, most: most.max(FEWEST) }
     }
 
-    /// Those of `zone`, at most `most`.
+    /// Those of `zone`, at most `most`, or 8 if that is less.
     pub(super) fn of(zone: Zone, most: usize) -> Self {
-        Self { zone, most: most.max(1) }
+        Self { zone, most: most.max(FEWEST) }
     }
 
     /// Edge of the cubes by now, mm.
@@ -174,11 +177,11 @@ mod tests {
 
     proptest! {
         #[test]
-        fn every_point_of_a_triangle_is_in_its_cubes(a in point(), b in point(), c in point(), most in 5usize..2000) {
+        fn every_point_of_a_triangle_is_in_its_cubes(a in point(), b in point(), c in point(), most in 1usize..2000) {
             let mut cubes = Cubes::new(DVec3::new(0.1, 0.2, 0.3), 0.25, most);
             cubes.add(&[a, b, c], 1e-9, 2.0);
             let zone = cubes.zone();
-            prop_assert!(zone.centers().count() <= most && zone.area() == 2.0);
+            prop_assert!(zone.centers().count() <= most.max(FEWEST) && zone.area() == 2.0);
             prop_assert!(zone.holds(&[a, b, c]) && !zone.holds(&[a, b, c + DVec3::splat(20.0)]));
             for i in 0..=40 {
                 for j in 0..=40 - i {
@@ -192,6 +195,15 @@ mod tests {
                 prop_assert!(zone.centers().all(|p| (p - a).dot(n).abs() <= diagonal));
             }
         }
+    }
+
+    #[test]
+    fn around_the_origin_cubes_stop_growing_at_one_in_each_octant() {
+        let (a, b, c) = (DVec3::new(-0.6, 0.0, 0.0), DVec3::new(0.0, 2.6, 0.0), DVec3::new(0.7, 0.0, 4.0));
+        let mut cubes = Cubes::new(DVec3::new(0.1, 0.2, 0.3), 0.25, 5);
+        cubes.add(&[a, b, c], 1e-9, 1.0);
+        let zone = cubes.zone();
+        assert!(zone.centers().count() <= FEWEST && zone.cell() <= 4.0 && zone.holds(&[a, b, c]));
     }
 
     #[test]

@@ -68,7 +68,7 @@ impl Zone {
         Self { area, ..cubes.zone() }
     }
 
-    /// The zone in at most `most` cubes, their edge doubled as often as that takes: to draw it.
+    /// The zone in at most `most` cubes (or 8 if that is less), their edge doubled as often as that takes: to draw it.
     #[must_use]
     pub fn in_cubes(&self, most: usize) -> Self {
         Cubes::of(self.clone(), most).zone()
