@@ -35,7 +35,7 @@ fn order(tool: Tool) -> Order {
 }
 
 const BALL: Tool = Tool::Ball { radius: 15.0 };
-const INSERT: Tool = Tool::Insert { radius: 1.5, rake: 0.0, clearance: 0.5, sweep: 1.2 };
+const INSERT: Tool = Tool::Insert { radius: 1.5, rake: 0.0, least_rake: -1.0, clearance: 0.5, sweep: 1.2 };
 
 fn planned(tool: Tool) -> Planned {
     plan(&order(tool), &Stage::silent()).expect("a plan")
@@ -52,6 +52,7 @@ fn written(tool: Tool, planned: Planned) -> String {
         spindle_rpm: None,
         clearance: 5.0,
         approach: 100.0,
+        blend: 1e-5,
         path: planned.path,
     };
     xzc::write_gcode(&program, xzc::Dialect::LinuxCnc, xzc::Feed::InverseTime, &Rounding::default())

@@ -50,6 +50,7 @@ impl Turn {
         write(&format!("path.{}", plan.extension()), &plan.program)?;
         write("path.csv", &plan.csv())?;
         write("path.apt", &plan.apt()?)?;
+        write("turns.csv", &plan.turns_csv())?;
         write("report.json", &report.to_json())?;
         if let Some(proof) = &proof {
             write("residue.csv", &map(proof))?;
@@ -82,8 +83,8 @@ fn map(proof: &TurningProof) -> String {
 
 fn summary(report: &TurningReport) -> Result<(), Failure> {
     print(&format!(
-        "path         {} points, {:.1} turns {:.4} mm apart, out to {:.3} mm",
-        report.points, report.turns, report.step_mm, report.farthest_mm
+        "path         {} points, {:.1} turns {:.4} mm apart, from {:.3} out to {:.3} mm",
+        report.points, report.turns, report.step_mm, report.innermost_mm, report.farthest_mm
     ))?;
     print(&format!(
         "expected     cusp {:.3} µm, between points {:+.4} to {:+.4} µm ({})",
@@ -123,6 +124,9 @@ fn proven(verified: &TurnedReport) -> Result<(), Failure> {
         1e3 * verified.peak_to_valley_mm,
         1e3 * verified.rms_mm
     ))?;
+    if let Some((left, dug)) = verified.chord_left.zip(verified.chord_dug) {
+        print(&format!("             between points {:+.4} to {:+.4} µm", 1e3 * dug.mm, 1e3 * left.mm))?;
+    }
     for band in &verified.bands {
         print(&format!("             {:.3} % within ±{} mm", 100.0 * band.within, band.limit_mm))?;
     }

@@ -47,6 +47,15 @@ pub enum Nose {
 }
 
 impl Nose {
+    /// The same kind with another radius, mm.
+    #[must_use]
+    pub fn with_radius(self, radius: f64) -> Self {
+        match self {
+            Self::Ball(_) => Self::Ball(radius),
+            Self::Insert(_) => Self::Insert(radius),
+        }
+    }
+
     /// The radius, mm.
     pub fn radius(self) -> f64 {
         match self {

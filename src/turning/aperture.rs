@@ -73,6 +73,25 @@ impl Aperture {
         })
     }
 
+    /// The largest share of its size, seen from its centre, of which all rays lie where `holds` says yes; to 1/4096.
+    pub fn largest_share(&self, holds: impl Fn([f64; 2]) -> bool) -> f64 {
+        let [rays, _] = LATTICE;
+        let mut most: f64 = 1.0;
+        for i in 0..rays {
+            let t = TAU * i as f64 / rays as f64;
+            if holds(self.place(t, most)) {
+                continue;
+            }
+            let (mut low, mut high) = (0.0, most);
+            for _ in 0..12 {
+                let middle = 0.5 * (low + high);
+                if holds(self.place(t, middle)) { low = middle } else { high = middle }
+            }
+            most = low;
+        }
+        most
+    }
+
     /// The longest distance of the rim from the spindle axis, mm, to within a millionth of the aperture's size.
     pub fn farthest(&self) -> f64 {
         let far = |t: f64| {

@@ -32,21 +32,20 @@ impl Chord {
 
 /// The largest errors of what lies between the points of a path, where the nose touches the aperture: what leaves
 /// material and what digs in. Looked for in the middle between each two points, where both linear and cubic motion are farthest off.
-///
-/// `guesses` tells where the nose touches at each point.
 pub fn chord_error(
     part: &Placed,
     aperture: &Aperture,
     nose: Nose,
     interpolation: Interpolation,
     points: &[AxisPoint],
-    guesses: &[[f64; 2]],
 ) -> Result<[Chord; 2], TurningError> {
     let mut worst = [Chord::default(); 2];
-    for (pair, guess) in points.windows(2).zip(guesses) {
+    let mut guess = [0.0; 2];
+    for pair in points.windows(2) {
         let [x, z, c] = middle(interpolation, &pair[0], &pair[1]);
         let (sin, cos) = libm::sincos(c);
-        let at = locate(part, nose, x, (cos, sin), *guess)?;
+        let at = locate(part, nose, x, (cos, sin), guess)?;
+        guess = at.offset;
         if !aperture.contains(at.touch[0], at.touch[1]) {
             continue;
         }

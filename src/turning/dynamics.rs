@@ -9,6 +9,8 @@ pub struct Moment {
     pub point: AxisPoint,
     /// Accelerations of X and Z, mm/s², and of C, rad/s².
     pub acceleration: [f64; 3],
+    /// Whether the spindle is getting going or coming to rest.
+    pub is_ramp: bool,
 }
 
 /// The largest magnitude of something along the path.
@@ -22,17 +24,17 @@ pub struct Peak {
     pub c: f64,
 }
 
-/// What Z does in one turn.
+/// What the axes do in one turn.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Trend {
-    /// Distance from the axis at the middle of the turn, mm.
+    /// Mean distance from the axis, mm.
     pub x: f64,
-    /// Speed of the spindle there, rad/s.
+    /// Mean speed of the spindle, rad/s.
     pub speed: f64,
-    /// Lowest and highest Z, mm.
-    pub reach: [f64; 2],
-    /// Largest velocity, acceleration and jerk of Z; mm and s.
-    pub peaks: [f64; 3],
+    /// Lowest and highest X and Z, mm, and C, radians.
+    pub reach: [[f64; 2]; 3],
+    /// For X, Z and C: the largest velocity, acceleration and jerk. X and Z in mm, C in radians.
+    pub peaks: [[f64; 3]; 3],
 }
 
 /// What a path asks of the axes.
@@ -40,8 +42,10 @@ pub struct Trend {
 pub struct Dynamics {
     /// Seconds from the first to the last point.
     pub time: f64,
-    /// For X, Z and C: the largest velocity, acceleration and jerk. X and Z in mm, C in radians.
+    /// For X, Z and C: the largest velocity, acceleration and jerk on the way. X and Z in mm, C in radians.
     pub peaks: [[Peak; 3]; 3],
+    /// The same while the spindle gets going and comes to rest.
+    pub ramps: [[Peak; 3]; 3],
     /// Turn by turn, from the start.
     pub turns: Vec<Trend>,
 }
@@ -57,15 +61,12 @@ pub fn dynamics(moments: &[Moment]) -> Dynamics {
     let mut turn = 0;
     let mut trend = Started::default();
     for (i, m) in moments.iter().enumerate() {
-        let jerk = match moments.get(i + 1) {
-            Some(next) => {
-                let dt = next.point.time - m.point.time;
-                [0, 1, 2].map(|k| (next.acceleration[k] - m.acceleration[k]) / dt)
-            }
-            None => [0.0; 3],
-        };
+        let jerk = moments.get(i + 1).map_or([0.0; 3], |next| jerk(m, next));
         let all = [m.point.rates, m.acceleration, jerk];
-        for (axis, peaks) in found.peaks.iter_mut().enumerate() {
+        // Between a point of the ramp and one that is not there is the ramp's last stretch.
+        let is_ramp = m.is_ramp || moments.get(i + 1).is_some_and(|next| next.is_ramp);
+        let peaks = if is_ramp { &mut found.ramps } else { &mut found.peaks };
+        for (axis, peaks) in peaks.iter_mut().enumerate() {
             for (peak, values) in peaks.iter_mut().zip(&all) {
                 if values[axis].abs() > peak.value {
                     *peak = Peak { value: values[axis].abs(), x: m.point.x, c: m.point.c };
@@ -77,11 +78,17 @@ pub fn dynamics(moments: &[Moment]) -> Dynamics {
             found.turns.extend(trend.ended());
             (turn, trend) = (now, Started::default());
         }
-        trend.add(m, all.map(|values| values[1].abs()));
+        trend.add(m, all);
     }
     found.turns.extend(trend.ended());
     found.time = moments.last().map_or(0.0, |last| last.point.time - first.point.time);
     found
+}
+
+/// The change of acceleration from `m` to `next` over their time.
+fn jerk(m: &Moment, next: &Moment) -> [f64; 3] {
+    let dt = next.point.time - m.point.time;
+    [0, 1, 2].map(|k| (next.acceleration[k] - m.acceleration[k]) / dt)
 }
 
 impl Dynamics {
@@ -91,15 +98,17 @@ impl Dynamics {
         let powers = [share, share * share, share * share * share];
         let mut scaled = self.clone();
         scaled.time /= share;
-        for peaks in &mut scaled.peaks {
+        for peaks in scaled.peaks.iter_mut().chain(&mut scaled.ramps) {
             for (peak, power) in peaks.iter_mut().zip(powers) {
                 peak.value *= power;
             }
         }
         for turn in &mut scaled.turns {
             turn.speed *= share;
-            for (peak, power) in turn.peaks.iter_mut().zip(powers) {
-                *peak *= power;
+            for peaks in &mut turn.peaks {
+                for (peak, power) in peaks.iter_mut().zip(powers) {
+                    *peak *= power;
+                }
             }
         }
         scaled
@@ -115,14 +124,16 @@ struct Started {
 }
 
 impl Started {
-    fn add(&mut self, m: &Moment, z: [f64; 3]) {
+    /// `values` are velocity, acceleration and jerk of X, Z and C.
+    fn add(&mut self, m: &Moment, values: [[f64; 3]; 3]) {
         let t = &mut self.trend;
-        t.reach = if self.count == 0 {
-            [m.point.z; 2]
-        } else {
-            [t.reach[0].min(m.point.z), t.reach[1].max(m.point.z)]
-        };
-        t.peaks = [0, 1, 2].map(|k| t.peaks[k].max(z[k]));
+        for (axis, at) in [m.point.x, m.point.z, m.point.c].into_iter().enumerate() {
+            let [low, high] = t.reach[axis];
+            t.reach[axis] = if self.count == 0 { [at; 2] } else { [low.min(at), high.max(at)] };
+            for (peak, value) in t.peaks[axis].iter_mut().zip(&values) {
+                *peak = peak.max(value[axis].abs());
+            }
+        }
         self.count += 1;
         self.sums = [self.sums[0] + m.point.x, self.sums[1] + m.point.rates[2]];
     }

@@ -29,12 +29,14 @@ impl fmt::Display for Spot {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum TurningError {
     /// The aperture is larger than the surface.
-    #[error("the aperture goes beyond the surface at {at}: {reach}")]
+    #[error("the aperture goes beyond the surface at {at}: {reach}; {percent:.1} % of its size would do")]
     Reach {
         /// Where.
         at: Spot,
         /// How far the surface reaches.
         reach: String,
+        /// How much of the aperture's size, from its centre, would do, %: 0 if not even its centre is on the surface.
+        percent: f64,
     },
     /// The tool does not fit into a hollow.
     #[error(
@@ -78,15 +80,33 @@ pub enum TurningError {
         /// Where.
         at: Spot,
     },
+    /// The face of the tool would lean too far back against the cut.
+    #[error(
+        "the surface rises by {slope:.2}° along the cut at {at}, which leaves a rake of {rake:.2}° where at least {limit:.2}° are asked for: a tool with {least:.1}° would do"
+    )]
+    Rake {
+        /// Slope along the cut, degrees.
+        slope: f64,
+        /// What is left of the rake, degrees.
+        rake: f64,
+        /// What is asked for, degrees.
+        limit: f64,
+        /// The tool's rake that would do, degrees.
+        least: f64,
+        /// Where.
+        at: Spot,
+    },
     /// The nose touches nowhere at a place of the path.
     #[error(
-        "the nose finds no single place to touch at X {x:.3} mm, C {degrees:.3}°: the surface beyond the aperture bends more than the nose; a smaller one would do"
+        "the nose finds no single place to touch at X {x:.3} mm, C {degrees:.3}°: the surface beyond the aperture bends more than the nose; at most {most} mm would do there"
     )]
     NoTouch {
         /// Distance from the axis, mm.
         x: f64,
         /// Angle, degrees.
         degrees: f64,
+        /// The radius of a nose that does, mm; 0 if that was not looked for.
+        most: f64,
     },
     /// Points lie too far apart.
     #[error(

@@ -3,6 +3,7 @@
 use super::aperture::Aperture;
 use super::error::{Spot, TurningError};
 use super::placed::Placed;
+use super::round::round_down;
 use super::tool::Tool;
 use crate::toolpath::Nose;
 
@@ -33,21 +34,23 @@ struct Steepest {
 pub fn fit(part: &Placed, aperture: &Aperture, tool: &Tool) -> Result<Fit, TurningError> {
     // From the centre outwards: the first place that is missing is the nearest.
     if let Some([x, y]) = aperture.lattice().find(|[x, y]| !part.reaches(*x, *y)) {
-        return Err(TurningError::Reach { at: Spot { x, y }, reach: part.reach() });
+        let percent = 100.0 * aperture.largest_share(|[x, y]| part.reaches(x, y));
+        // Down, so that what is said does.
+        let percent = (10.0 * percent).floor() / 10.0;
+        return Err(TurningError::Reach { at: Spot { x, y }, reach: part.reach(), percent });
     }
     let nose = tool.nose();
     let worst = steepest(part, aperture, nose);
     let hollow = if worst.curvature.0 > 0.0 { 1.0 / worst.curvature.0 } else { f64::INFINITY };
     let radius = nose.radius();
     if radius >= hollow {
-        // Three digits that are safely below: between the places looked at it may be a little hollower.
-        let unit = libm::pow(10.0, libm::log10(0.98 * hollow).floor() - 2.0);
-        let most = (0.98 * hollow / unit).floor() * unit;
+        // Safely below: between the places looked at it may be a little hollower.
+        let most = round_down(0.98 * hollow);
         return Err(TurningError::Hollow { radius, hollow, most, at: worst.curvature.1 });
     }
     let [section, fall, rise] = [worst.section, worst.fall, worst.rise].map(|(s, at)| (libm::atan(s), at));
     let mut found = Fit { hollow, section: section.0, along: [fall.0, rise.0], effective: None };
-    if let Tool::Insert { rake, clearance, sweep, .. } = *tool {
+    if let Tool::Insert { rake, least_rake, clearance, sweep, .. } = *tool {
         let up = |angle: f64| (angle.to_degrees() * 10.0).ceil() / 10.0;
         if section.0 > sweep {
             return Err(TurningError::Sweep {
@@ -63,6 +66,15 @@ pub fn fit(part: &Placed, aperture: &Aperture, tool: &Tool) -> Result<Fit, Turni
                 clearance: clearance.to_degrees(),
                 least: up(fall.0) + 0.1,
                 at: fall.1,
+            });
+        }
+        if rake - rise.0 < least_rake {
+            return Err(TurningError::Rake {
+                slope: rise.0.to_degrees(),
+                rake: (rake - rise.0).to_degrees(),
+                limit: least_rake.to_degrees(),
+                least: up(least_rake + rise.0),
+                at: rise.1,
             });
         }
         // Where the surface falls along the cut, the cut goes down: less clearance, more rake.

@@ -32,7 +32,9 @@ pub fn strictest(dynamics: &Dynamics, limits: &Limits) -> Option<Strictest> {
     let mut found: Option<Strictest> = None;
     for axis in 0..3 {
         for kind in 0..3 {
-            let (peak, limit) = (dynamics.peaks[axis][kind], limits.most[axis][kind]);
+            let limit = limits.most[axis][kind];
+            let [way, ramp] = [&dynamics.peaks, &dynamics.ramps].map(|peaks| peaks[axis][kind]);
+            let peak = if ramp.value > way.value { ramp } else { way };
             let ratio = limit / peak.value;
             let share = match kind {
                 0 => ratio,

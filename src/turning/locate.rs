@@ -44,7 +44,7 @@ pub fn locate(
         Nose::Ball(r) => ball(part, r, x, (cos, sin), guess),
         Nose::Insert(r) => insert(part, r, x, (cos, sin), guess[0]),
     };
-    found.ok_or_else(|| TurningError::NoTouch { x, degrees: libm::atan2(sin, cos).to_degrees() })
+    found.ok_or_else(|| TurningError::NoTouch { x, degrees: libm::atan2(sin, cos).to_degrees(), most: 0.0 })
 }
 
 /// How far the centre of a nose is above a place of it that lies `aside` of it. At the contact this is `r/w`, and since no place lets the

@@ -10,9 +10,11 @@ use super::fit::{Fit, fit};
 use super::guide::{Guide, Ways};
 use super::limits::{Limits, Strictest, strictest};
 use super::locate::locate;
-use super::outer::outermost;
+use super::outer::{innermost, outermost};
 use super::pace::Pace;
 use super::placed::Placed;
+use super::ramp::Ramp;
+use super::round::round_down;
 use super::spacing::{MOST_POINTS, Spacing, angles};
 use super::tool::Tool;
 use crate::monitor::Stage;
@@ -82,8 +84,9 @@ pub struct Planned {
     pub guide: Guide,
     /// How points lie along it.
     pub spacing: Spacing,
-    /// The distance of the farthest nose centre that touches the aperture, mm.
-    pub outermost: f64,
+    /// The distances of the nearest and the farthest nose centre that touches the aperture, mm; the nearest is 0 if the aperture holds
+    /// the axis.
+    pub reach: [f64; 2],
     /// How tool and surface go together.
     pub fit: Fit,
     /// The highest cusp to be expected.
@@ -104,17 +107,18 @@ pub fn plan(order: &Order, stage: &Stage) -> Result<Planned, TurningError> {
     let Order { part, aperture, tool, .. } = order;
     let nose = tool.nose();
     let fit = fit(part, aperture, tool)?;
-    let outermost = outermost(part, aperture, nose);
+    let reach = [innermost(part, aperture, nose), outermost(part, aperture, nose)];
+    let span = reach[1] - reach[0];
     let step = match order.step {
         Step::Given(step) => step,
-        Step::Chosen(_) => chosen_step(part, aperture, nose, &order.asked).min(outermost),
+        Step::Chosen(_) => chosen_step(part, aperture, nose, &order.asked).min(span),
     };
-    let turns = outermost / step;
+    let turns = span / step;
     if turns.is_nan() || turns >= MOST_POINTS as f64 / 8.0 {
         let hint = "a larger step between turns would do";
         return Err(TurningError::TooMany { count: 8.0 * turns, limit: MOST_POINTS, hint });
     }
-    let guide = Guide::new(&order.ways, outermost, step);
+    let guide = Guide::new(&order.ways, reach, step);
     let mut spacing = match order.spacing {
         Step::Given(spacing) => spacing,
         Step::Chosen(kind) => {
@@ -130,7 +134,7 @@ pub fn plan(order: &Order, stage: &Stage) -> Result<Planned, TurningError> {
         let laid =
             lay(order, &guide, &spacing, &reference, &stage.part("Laying the path", 0.1, 0.6).quiet())?;
         let points: Vec<AxisPoint> = laid.moments.iter().map(|m| m.point).collect();
-        let chord = chord_error(part, aperture, nose, order.interpolation, &points, &laid.guesses)?;
+        let chord = chord_error(part, aperture, nose, order.interpolation, &points)?;
         let Err(error) = check_chord(&chord, order, &spacing) else { break (laid, points, chord) };
         if tries == 0 {
             return Err(error);
@@ -155,7 +159,7 @@ pub fn plan(order: &Order, stage: &Stage) -> Result<Planned, TurningError> {
         cusp: highest_cusp(part, aperture, nose, guide.step()),
         guide,
         spacing,
-        outermost,
+        reach,
         fit,
         chord,
         dynamics: found.scaled(share),
@@ -170,7 +174,6 @@ const RETRIES: usize = 5;
 struct Laid {
     moments: Vec<Moment>,
     touches: Vec<[f64; 2]>,
-    guesses: Vec<[f64; 2]>,
 }
 
 /// Points between two looks at whether to stop.
@@ -186,12 +189,9 @@ fn lay(
     let nose = order.tool.nose();
     let all = angles(guide, spacing)?;
     let room = all.len();
-    let mut laid = Laid {
-        moments: Vec::with_capacity(room),
-        touches: Vec::with_capacity(room),
-        guesses: Vec::with_capacity(room),
-    };
+    let mut laid = Laid { moments: Vec::with_capacity(room), touches: Vec::with_capacity(room) };
     let mut guess = [0.0; 2];
+    let ramp = Ramp::new(guide.length());
     let (mut time, mut before): (f64, Option<(f64, f64)>) = (0.0, None);
     for (i, &c) in all.iter().enumerate() {
         if i % STRIDE == 0 {
@@ -199,28 +199,49 @@ fn lay(
         }
         let [x, x1, x2] = guide.at(c);
         let (sin, cos) = libm::sincos(c);
-        let at = locate(&order.part, nose, x, (cos, sin), guess)?;
+        let at = locate(&order.part, nose, x, (cos, sin), guess).map_err(|e| largest_nose(order, e, x, c))?;
         guess = at.offset;
         let f = at.center;
         let z1 = f.r * x1 + f.t;
         let z2 = f.rr * x1 * x1 + 2.0 * f.rt * x1 + f.tt + f.r * x2;
-        let [omega, change] = pace.at(x);
-        let omega1 = change * x1;
-        if let Some((c0, slow0)) = before {
-            // Simpson's rule for ∫ dc/Ω.
-            let middle = 1.0 / pace.at(guide.at(0.5 * (c0 + c))[0])[0];
-            time += (c - c0) * (slow0 + 4.0 * middle + 1.0 / omega) / 6.0;
+        let [full, change] = pace.at(x);
+        let ramped = ramp.at(c);
+        let omega = full * ramped.share;
+        let faster = change * x1 * omega * ramped.share + full * full * ramped.change;
+        if let Some((s0, slow0)) = before {
+            // Simpson's rule for ∫ ds/Ω, of which s is the time at 1 rad/s.
+            let middle = 1.0 / pace.at(guide.at(ramp.angle(0.5 * (s0 + ramped.time)))[0])[0];
+            time += (ramped.time - s0) * (slow0 + 4.0 * middle + 1.0 / full) / 6.0;
         }
-        before = Some((c, 1.0 / omega));
-        let second = |d1: f64, d2: f64| omega * (d2 * omega + d1 * omega1);
+        before = Some((ramped.time, 1.0 / full));
+        let second = |d1: f64, d2: f64| d2 * omega * omega + d1 * faster;
         laid.moments.push(Moment {
             point: AxisPoint { x, z: f.z, c, time, rates: [x1 * omega, z1 * omega, omega] },
-            acceleration: [second(x1, x2), second(z1, z2), omega * omega1],
+            acceleration: [second(x1, x2), second(z1, z2), faster],
+            is_ramp: !ramp.is_done(c),
         });
         laid.touches.push(at.touch);
-        laid.guesses.push(at.offset);
     }
     Ok(laid)
+}
+
+/// Where the nose touches nowhere: says which would.
+fn largest_nose(order: &Order, error: TurningError, x: f64, c: f64) -> TurningError {
+    let nose = order.tool.nose();
+    let (sin, cos) = libm::sincos(c);
+    let [mut low, mut high] = [0.0, nose.radius()];
+    // Three digits are said.
+    for _ in 0..12 {
+        let middle = 0.5 * (low + high);
+        let there = locate(&order.part, nose.with_radius(middle), x, (cos, sin), [0.0; 2]).is_ok();
+        if there { low = middle } else { high = middle }
+    }
+    match error {
+        TurningError::NoTouch { x, degrees, .. } => {
+            TurningError::NoTouch { x, degrees, most: round_down(low) }
+        }
+        other => other,
+    }
 }
 
 fn check_chord(chord: &[Chord; 2], order: &Order, spacing: &Spacing) -> Result<(), TurningError> {
@@ -229,15 +250,12 @@ fn check_chord(chord: &[Chord; 2], order: &Order, spacing: &Spacing) -> Result<(
     if worst.error.abs() <= limit {
         return Ok(());
     }
-    // Down to three digits: what is named must do.
-    let down = |x: f64| {
-        let unit = libm::pow(10.0, libm::log10(x).floor() - 2.0);
-        (x / unit).floor() * unit
-    };
     let least = match fitting(order, spacing, worst.error) {
-        Spacing::Angle(angle) => format!("points at most {:.6}° apart would do", down(angle.to_degrees())),
+        Spacing::Angle(angle) => {
+            format!("points at most {:.6}° apart would do", round_down(angle.to_degrees()))
+        }
         Spacing::Arc { length, .. } | Spacing::Hybrid { length, .. } => {
-            format!("points at most {:.6} mm apart would do", down(length))
+            format!("points at most {:.6} mm apart would do", round_down(length))
         }
     };
     Err(TurningError::Chord {

@@ -17,6 +17,8 @@ pub enum Tool {
         radius: f64,
         /// Inclination of the rake face: positive where it falls back behind the edge.
         rake: f64,
+        /// The least rake that must be left against the direction of cutting where the surface rises along it.
+        least_rake: f64,
         /// Angle between the flank below the edge and the direction of cutting.
         clearance: f64,
         /// The arc of the edge that may cut reaches so far to either side of the nose's lowest point.

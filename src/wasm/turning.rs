@@ -78,16 +78,19 @@ impl Turned {
         Float32Array::from(&self.plan.touches(most)[..])
     }
 
-    /// What Z does along the turn at `radius` mm from the axis: angle (degrees), distance from the axis, height (mm), velocity and
-    /// acceleration a point.
+    /// What the axes do along the turn at `radius` mm from the axis; 13 numbers a point, see [`TurningPlan::motion`].
     pub fn motion(&self, radius: f64) -> Float32Array {
-        flat(&self.plan.motion(radius).points)
+        flat(&self.plan.motion(radius))
     }
 
-    /// What Z does turn by turn: distance from the axis (mm), speed of the spindle (1/min), stroke (mm), largest velocity,
-    /// acceleration and jerk.
+    /// What the axes do turn by turn; 14 numbers a turn, see [`TurningPlan::turns`].
     pub fn turns(&self) -> Float32Array {
-        flat(&self.plan.progress().turns)
+        flat(&self.plan.turns())
+    }
+
+    /// The same as a table.
+    pub fn turns_csv(&self) -> String {
+        self.plan.turns_csv()
     }
 
     /// The program.

@@ -9,7 +9,7 @@ use stepover::turning::{
 };
 
 fn refused(order: &Order) -> TurningError {
-    plan(order, &Stage::silent()).unwrap_err()
+    plan(order, &Stage::silent()).map(|found| found.path.points.len()).unwrap_err()
 }
 
 fn works(order: &Order) -> bool {
@@ -22,9 +22,10 @@ fn apertures_beyond_the_surface() {
         aperture: Aperture { outline: Outline::Round(radius), center: [0.0; 2], angle: 0.0 },
         ..order(2.0, 1.0)
     };
-    let TurningError::Reach { at, reach } = refused(&wide(45.0)) else { panic!() };
+    let TurningError::Reach { at, reach, percent } = refused(&wide(45.0)) else { panic!() };
     assert!(at.y.abs() > 39.0 && reach.contains("|y| = 39.395"), "{at} {reach}");
-    assert!(works(&Order { spacing: Step::Given(Spacing::Angle(0.004)), ..wide(39.3) }));
+    let most = 45.0 * percent / 100.0;
+    assert!(most > 39.3 && works(&Order { spacing: Step::Given(Spacing::Angle(0.004)), ..wide(most) }));
 }
 
 #[test]
@@ -34,7 +35,7 @@ fn noses_larger_than_a_hollow() {
     for insert in [false, true] {
         let tool = |radius| {
             if insert {
-                Tool::Insert { radius, rake: 0.0, clearance: 0.6, sweep: 1.3 }
+                Tool::Insert { radius, rake: 0.0, least_rake: -1.0, clearance: 0.6, sweep: 1.3 }
             } else {
                 Tool::Ball { radius }
             }
@@ -64,6 +65,7 @@ fn edges_that_reach_or_clear_too_little() {
         tool: Tool::Insert {
             radius: 2.0,
             rake: 0.0,
+            least_rake: -1.0,
             clearance: clearance.to_radians(),
             sweep: sweep.to_radians(),
         },
@@ -73,6 +75,38 @@ fn edges_that_reach_or_clear_too_little() {
     assert!(at.y.abs() > 29.9 && works(&with(30.0, least)), "{at} {least}");
     let TurningError::Clearance { least, slope, at, .. } = refused(&with(7.0, 60.0)) else { panic!() };
     assert!(slope > 15.0 && slope < 25.0 && at.x * at.y != 0.0 && works(&with(least, 60.0)), "{slope} {at}");
+}
+
+#[test]
+fn faces_that_lean_too_far_back() {
+    let with = |rake: f64| Order {
+        tool: Tool::Insert {
+            radius: 2.0,
+            rake: rake.to_radians(),
+            least_rake: -0.3,
+            clearance: 0.6,
+            sweep: 1.3,
+        },
+        ..order(2.0, 3.0)
+    };
+    let TurningError::Rake { slope, rake, least, .. } = refused(&with(0.0)) else { panic!() };
+    assert!(slope > 18.0 && (rake + slope).abs() < 1e-9 && works(&with(least)), "{slope} {rake} {least}");
+}
+
+/// Beyond the aperture, where the ball must go, a ring bends up more than the ball.
+#[test]
+fn noses_that_touch_nowhere_beyond_the_aperture() {
+    let wall = Conic::new(0.0, 0.0, vec![0.0, 0.0, 0.0, 7.7e-13], 40.0);
+    let with = |radius| Order {
+        part: held(wall.clone()),
+        aperture: Aperture { outline: Outline::Round(12.0), center: [0.0; 2], angle: 0.0 },
+        tool: Tool::Ball { radius },
+        asked: stepover::turning::Asked { residue: 1.0, chord: 1.0 },
+        ways: stepover::turning::Ways { lead_in: 6.0, ..order(1.0, 3.0).ways },
+        ..order(1.0, 3.0)
+    };
+    let TurningError::NoTouch { most, x, .. } = refused(&with(15.0)) else { panic!() };
+    assert!(most > 0.0 && most < 15.0 && x > 12.0 && works(&with(0.5 * most)), "{most} {x}");
 }
 
 fn limited(kind: usize, most: f64, speed: Speed) -> Order {

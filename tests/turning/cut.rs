@@ -238,9 +238,10 @@ fn decentred_apertures_are_finished() {
     let part = Placed::new(Arc::new(toric()), [3.0, -2.0], 0.4);
     for outline in [Outline::Rectangle([12.0, 7.0]), Outline::Ellipse([14.0, 9.0]), Outline::Round(10.0)] {
         let aperture = Aperture { outline, center: [6.0, 4.0], angle: 0.9 };
-        for tool in
-            [Tool::Ball { radius: 5.0 }, Tool::Insert { radius: 5.0, rake: 0.0, clearance: 0.5, sweep: 1.3 }]
-        {
+        for tool in [
+            Tool::Ball { radius: 5.0 },
+            Tool::Insert { radius: 5.0, rake: 0.0, least_rake: -1.0, clearance: 0.5, sweep: 1.3 },
+        ] {
             let base = order(0.3, 2.0);
             let order =
                 Order { part: part.clone(), aperture, tool, interpolation: Interpolation::Pvt, ..base };

@@ -3,30 +3,45 @@
 use crate::support::{PLANE_INSERT, extremes, near, order, planned, proof};
 use std::f64::consts::TAU;
 use stepover::monitor::Stage;
-use stepover::toolpath::{Interpolation, Nose};
+use stepover::toolpath::{AxisPoint, Interpolation, Nose};
 use stepover::turning::{
     Aperture, Asked, Limits, Order, Outline, Pace, Spacing, Speed, Step, Tool, locate, plan,
 };
 
 const BALL: Nose = Nose::Ball(15.0);
 
-/// Residues in µm at Δθ = 3°, and what simulations on samples a millimetre apart read off. Between their samples there is more:
-/// that the largest are above the coarse readings by what cusps and chords make together is right.
+/// Residues in µm at Δθ = 3°. Simulations on some thousand samples a millimetre apart read off −4.6 to +10.1 and −4.2 to +59, and on the
+/// exact path 3.2 and 54: between their samples there is more, up to what cusps and chords make together.
 #[test]
 fn residues_at_three_degrees() {
-    for (step, linear, exact) in [(0.5, [-4.74, 11.7], 3.40), (2.0, [-4.74, 62.2], 53.8)] {
+    for (step, linear, exact) in [(0.5, [-4.74, 11.88], 3.41), (2.0, [-4.74, 62.2], 53.53)] {
         let order = order(step, 3.0);
         let found = proof(&order, BALL, &planned(&order).path, 0.25);
         let [low, high] = extremes(&found);
-        near(low, linear[0], 0.1);
-        near(high, linear[1], 0.3);
+        near(low, linear[0], 0.05);
+        near(high, linear[1], 0.1);
         // The paper's display of 0.01 mm cannot show the overcut: no sample digs in so far.
         assert!(low < -4.0 && found.form.bands[0].under == 0.0);
         // Cubics between the same points are the exact path to a hundredth of a micrometre.
         let order = Order { interpolation: Interpolation::Pvt, ..order };
         let [low, high] = extremes(&proof(&order, BALL, &planned(&order).path, 0.25));
         assert!(low > -0.01, "{low}");
-        near(high, exact, 0.3);
+        near(high, exact, 0.1);
+    }
+}
+
+/// The largest residue is what is found around samples, not what the samples are: it depends little on how far they are apart.
+#[test]
+fn extremes_do_not_hang_on_the_samples() {
+    let order = order(0.5, 3.0);
+    let path = planned(&order).path;
+    for spacing in [0.3, 1.0, 2.0] {
+        let found = proof(&order, BALL, &path, spacing);
+        let [low, high] = extremes(&found);
+        near(low, -4.74, 0.05);
+        near(high, 11.88, 0.25);
+        let sampled = found.residues.iter().filter(|h| h.is_finite()).fold(0.0, |a: f32, h| a.max(*h));
+        assert!(1e3 * f64::from(sampled) < 11.0, "{spacing}: {sampled}");
     }
 }
 
@@ -92,8 +107,9 @@ fn cubics_chosen_for_optics_are_within_a_hundredth_of_a_micrometre() {
 #[test]
 fn an_insert_needs_its_own_path() {
     for radius in [15.0, 1.5, 0.5] {
-        let Tool::Insert { rake, clearance, sweep, .. } = PLANE_INSERT else { unreachable!() };
-        let (ball, insert) = (Tool::Ball { radius }, Tool::Insert { radius, rake, clearance, sweep });
+        let Tool::Insert { rake, least_rake, clearance, sweep, .. } = PLANE_INSERT else { unreachable!() };
+        let (ball, insert) =
+            (Tool::Ball { radius }, Tool::Insert { radius, rake, least_rake, clearance, sweep });
         let cut = |tool: Tool| {
             let order = Order { tool, interpolation: Interpolation::Pvt, ..order(0.05, 2.0) };
             extremes(&proof(&order, insert.nose(), &planned(&order).path, 0.5))
@@ -119,15 +135,20 @@ fn surface_speed_is_kept_where_the_spindle_allows() {
     let pace = Pace::Surface { speed: 50.0, most: 20.0 };
     let order = Order { speed: Speed::Given(pace), ..order(0.5, 3.0) };
     let found = planned(&order);
+    let end = found.guide.length();
     for p in &found.path.points {
         let speed = p.x * p.rates[2];
         assert!(p.rates[2] <= 20.0 + 1e-9 && speed <= 50.0 + 1e-9);
-        if p.x > 10.0 {
+        if p.x > 10.0 && p.c > TAU {
             near(speed, 50.0, 2.0);
         }
     }
+    for p in [&found.path.points[0], found.path.points.last().unwrap()] {
+        assert!(p.rates == [0.0; 3] && (p.c == 0.0 || p.c == end));
+    }
     // Times are those of the speeds, velocities those of the positions.
-    for w in found.path.points.windows(3).step_by(17) {
+    let way = |w: &&[AxisPoint]| w[0].c > TAU && w[2].c < end - TAU;
+    for w in found.path.points.windows(3).filter(way).step_by(17) {
         let dt = w[2].time - w[0].time;
         near((w[2].z - w[0].z) / dt, w[1].rates[1], 0.02 * (1.0 + w[1].rates[1].abs()));
         near((w[2].c - w[0].c) / dt, w[1].rates[2], 1e-3 * w[1].rates[2]);

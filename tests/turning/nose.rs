@@ -3,7 +3,7 @@
 use crate::support::{PLANE_INSERT, held, near, order, planned, toric};
 use stepover::toolpath::Nose;
 use stepover::turning::sag::{Biconic, Conic, Sag, Toric, ToricKind};
-use stepover::turning::{Aperture, Outline, Placed, fit, locate, outermost};
+use stepover::turning::{Aperture, Outline, Placed, fit, innermost, locate, outermost};
 
 fn parts() -> Vec<(&'static str, Placed)> {
     let biconic = Biconic { curvature: [1.0 / 60.0, -1.0 / 35.0], conic: [-0.5, 0.7] };
@@ -112,6 +112,17 @@ fn the_nose_goes_far_enough_out() {
     let ellipse = Aperture { outline: Outline::Ellipse([27.8, 21.8]), ..order.aperture };
     near(outermost(&order.part, &ellipse, Nose::Ball(15.0)), 30.0, 0.03);
     assert!(planned(&order).guide.farthest() >= 41.25 + 0.5);
+}
+
+/// A lens held off the axis is reached from where it begins; one that holds the axis from the axis.
+#[test]
+fn the_nose_goes_no_further_in_than_it_must() {
+    let order = order(0.5, 3.0);
+    let away = |x: f64| Aperture { outline: Outline::Round(5.0), center: [x, 0.0], angle: 0.0 };
+    for nose in [Nose::Ball(15.0), Nose::Insert(15.0)] {
+        assert!(innermost(&order.part, &away(3.0), nose) == 0.0);
+        near(innermost(&order.part, &away(20.0), nose), 15.0 * 205.0 / 190.0, 1e-6);
+    }
 }
 
 /// The ball's path leaves this much under an insert at X 30 mm, C 45°, along the normal of the section.

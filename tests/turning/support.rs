@@ -18,7 +18,8 @@ pub(crate) fn held(sag: impl Sag + 'static) -> Placed {
     Placed::new(Arc::new(sag), [0.0; 2], 0.0)
 }
 
-pub(crate) const PLANE_INSERT: Tool = Tool::Insert { radius: 15.0, rake: 0.0, clearance: 0.6, sweep: 1.3 };
+pub(crate) const PLANE_INSERT: Tool =
+    Tool::Insert { radius: 15.0, rake: 0.0, least_rake: -1.0, clearance: 0.6, sweep: 1.3 };
 
 /// The paper's lens with turns `step` mm and points `degrees` apart, one radian of C a second.
 pub(crate) fn order(step: f64, degrees: f64) -> Order {

@@ -27,6 +27,7 @@ fn short(interpolation: Interpolation) -> XzcProgram {
         spindle_rpm: Some(8000.0),
         clearance: 5.0,
         approach: 200.0,
+        blend: 1e-5,
         path: TurningPath { points: [0.0, 1.0, 2.0].map(point).into(), interpolation },
     }
 }

@@ -128,6 +128,8 @@ pub const TURNING_GROUPS: &[Group] = &[
                 &[
                     number("radius_mm", "mm", [0.001, 1000.0], 0.1, 1.5),
                     number("rake_deg", "°", [-60.0, 40.0], 1.0, 0.0),
+                    // Against the cut, where the surface rises along it.
+                    number("least_rake_deg", "°", [-80.0, 40.0], 1.0, -45.0),
                     number("clearance_deg", "°", [0.0, 60.0], 1.0, 25.0),
                     number("sweep_deg", "°", [1.0, 90.0], 1.0, 75.0),
                 ],

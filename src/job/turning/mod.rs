@@ -6,6 +6,7 @@ mod report;
 mod run;
 mod spec;
 mod trace;
+mod warnings;
 
 pub use fields::TURNING_GROUPS;
 pub use report::{Asked, Axis, Place, Sag, Share, TurnedReport, TurningReport};
@@ -16,7 +17,6 @@ pub use spec::{
     SurfaceSpec, TURNING_VERSION, ToolSpec, ToricSpec, TurningSpec, TurningToleranceSpec, TurningVerifySpec,
     WaySpec, XWordSpec,
 };
-pub use trace::{Motion, Progress};
 
 /// The schema that forms are made from, as JSON text, in the form of [`schema`](super::schema).
 pub fn schema() -> String {

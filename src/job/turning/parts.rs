@@ -211,12 +211,15 @@ impl TurningSpec {
     fn tool(&self) -> Tool {
         match self.tool {
             ToolSpec::Ball { radius_mm, .. } => Tool::Ball { radius: radius_mm },
-            ToolSpec::Insert { radius_mm, rake_deg, clearance_deg, sweep_deg } => Tool::Insert {
-                radius: radius_mm,
-                rake: rake_deg.to_radians(),
-                clearance: clearance_deg.to_radians(),
-                sweep: sweep_deg.to_radians(),
-            },
+            ToolSpec::Insert { radius_mm, rake_deg, least_rake_deg, clearance_deg, sweep_deg } => {
+                Tool::Insert {
+                    radius: radius_mm,
+                    rake: rake_deg.to_radians(),
+                    least_rake: least_rake_deg.to_radians(),
+                    clearance: clearance_deg.to_radians(),
+                    sweep: sweep_deg.to_radians(),
+                }
+            }
         }
     }
 

@@ -23,7 +23,8 @@ pub struct TurningReport {
     /// Arc between points; nothing where they lie by angles.
     pub arc_mm: Option<f64>,
     pub interpolation: &'static str,
-    /// How far out the nose centre must go to finish the aperture, and how far it goes.
+    /// How far in and out the nose centre must go to finish the aperture, and how far out it goes.
+    pub innermost_mm: f64,
     pub outermost_mm: f64,
     pub farthest_mm: f64,
     /// The highest cusp to be expected, on the exact path.
@@ -42,6 +43,7 @@ pub struct TurningReport {
     /// Speed of the spindle at the rim and its highest.
     pub rim_rpm: f64,
     pub highest_rpm: f64,
+    /// What is asked of the axes on the way; not while the spindle gets going and comes to rest, of which `strictest` and `reserve` know.
     pub x: Axis,
     pub z: Axis,
     pub c: Axis,
@@ -89,6 +91,10 @@ pub struct TurnedReport {
     /// The largest residue, and the least: below 0 where the tool digs in. Nothing if nothing was cut.
     pub residue: Option<Place>,
     pub overcut: Option<Place>,
+    /// What the moves of the text leave and dig in at most between their ends, under the nose that it states; nothing where that nose
+    /// does not fit the part.
+    pub chord_left: Option<Place>,
+    pub chord_dug: Option<Place>,
     pub peak_to_valley_mm: f64,
     pub mean_mm: f64,
     pub rms_mm: f64,
@@ -121,7 +127,7 @@ pub struct Sag {
 }
 
 impl TurnedReport {
-    pub(super) fn new(proof: &TurnedProof, nose: Nose, tolerance: f64) -> Self {
+    pub(super) fn new(proof: &TurnedProof, nose: Nose, between: Option<[Chord; 2]>, tolerance: f64) -> Self {
         let form = &proof.form;
         let place = |r: &Residue| Place { mm: r.value, x_mm: r.x, y_mm: r.y };
         let share = |b: &crate::verify::Band| Share {
@@ -147,6 +153,8 @@ impl TurnedReport {
             },
             residue: form.highest.as_ref().map(place),
             overcut: form.lowest.as_ref().map(place),
+            chord_left: between.map(|[left, _]| chord(&left)),
+            chord_dug: between.map(|[_, dug]| chord(&dug)),
             peak_to_valley_mm: form.peak_to_valley,
             mean_mm: form.mean,
             rms_mm: form.rms,
@@ -207,7 +215,8 @@ impl TurningReport {
                 Interpolation::Linear => "linear",
                 Interpolation::Pvt => "pvt",
             },
-            outermost_mm: planned.outermost,
+            innermost_mm: planned.reach[0],
+            outermost_mm: planned.reach[1],
             farthest_mm: farthest,
             cusp: spot(planned.cusp.height, planned.cusp.at),
             chord_left: chord(&planned.chord[0]),

@@ -2,6 +2,7 @@
 
 use super::report::{TurnedReport, TurningReport};
 use super::spec::{BodySpec, DialectSpec, StepSpec, ToolSpec, TurningSpec};
+use super::warnings::warnings;
 use crate::job::error::JobError;
 use crate::monitor::Stage;
 use crate::post::xzc::{self, Dialect, XzcProgram};
@@ -58,7 +59,7 @@ pub fn plan(spec: &TurningSpec, bytes: Option<&[u8]>, stage: &Stage) -> Result<T
     }
     .map_err(|e| JobError::Post(e.to_string()))?;
     let (nose, emitted) = read_program(&text, spec)?;
-    let warnings = warnings(spec, &order, &planned);
+    let warnings = warnings(spec, &order, &planned, &emitted);
     stage.at(1.0)?;
     Ok(TurningPlan { spec: spec.clone(), order, planned, warnings, program: text, emitted, nose })
 }
@@ -71,6 +72,7 @@ fn refused(spec: &TurningSpec, error: TurningError) -> JobError {
         TurningError::Hollow { .. } | TurningError::NoTouch { .. } => "tool.radius_mm",
         TurningError::Sweep { .. } => "tool.sweep_deg",
         TurningError::Clearance { .. } => "tool.clearance_deg",
+        TurningError::Rake { .. } => "tool.rake_deg",
         TurningError::Chord { .. } => spec.spacing_field(),
         TurningError::Limit { .. } => "speed",
         TurningError::TooSlow { .. } => "speed.least_rpm",
@@ -79,40 +81,11 @@ fn refused(spec: &TurningSpec, error: TurningError) -> JobError {
     JobError::field(field, error.to_string())
 }
 
-fn warnings(spec: &TurningSpec, order: &Order, planned: &Planned) -> Vec<String> {
-    let mut all = Vec::new();
-    let (cusp, asked) = (planned.cusp.height, order.asked.residue);
-    if cusp > asked {
-        let share = (asked / cusp).sqrt();
-        all.push(format!(
-            "guide.step_mm: turns {:.4} mm apart leave cusps of {:.2} µm at {}, above the {:.2} µm asked for: at most {:.4} mm would do",
-            planned.guide.step(),
-            1e3 * cusp,
-            planned.cusp.at,
-            1e3 * asked,
-            0.95 * share * planned.guide.step()
-        ));
-    }
-    if let ToolSpec::Insert { rake_deg, radius_mm, .. } = spec.tool {
-        let lost = radius_mm * (1.0 - libm::cos(rake_deg.to_radians()));
-        if lost > 1e-4 {
-            all.push(format!(
-                "tool.rake_deg: with a rake of {rake_deg}° the edge is a circle only as ground for it; one that is round in its own face is up to {:.2} µm flatter",
-                1e3 * lost
-            ));
-        }
-    }
-    if let Some([clearance, ..]) = planned.fit.effective.filter(|e| e[0] < 2.0_f64.to_radians()) {
-        all.push(format!(
-            "tool.clearance_deg: only {:.2}° are left over the steepest fall",
-            clearance.to_degrees()
-        ));
-    }
-    all
-}
+/// Of what interpolation may be off, the control gets this part for rounding the corners between chords.
+const BLENDED: f64 = 10.0;
 
 impl TurningSpec {
-    fn dialect(&self) -> Dialect {
+    pub(super) fn dialect(&self) -> Dialect {
         match self.output.dialect {
             DialectSpec::Linuxcnc => Dialect::LinuxCnc,
             DialectSpec::Fanuc => Dialect::Fanuc,
@@ -145,6 +118,7 @@ impl TurningSpec {
             spindle_rpm,
             clearance: self.output.clearance_mm,
             approach: self.output.approach_mm_per_min,
+            blend: self.tolerance.chord_mm / BLENDED,
             path,
         }
     }
@@ -213,6 +187,7 @@ fn prove(
             Surface { z: f.z, normal: [-f.g[0] / w, -f.g[1] / w, 1.0 / w] }
         })
     };
+    let between = turning::chord_error(part, &aperture, nose, path.interpolation, &path.points).ok();
     let nose = match v.body {
         BodySpec::Own => nose,
         BodySpec::Ball => Nose::Ball(nose.radius()),
@@ -231,7 +206,7 @@ fn prove(
         TurnedError::TooMany { .. } => JobError::field("verify.spacing_mm", e.to_string()),
         other => JobError::Post(format!("the program cannot be proven: {other}")),
     })?;
-    Ok(TurningProof { verified: TurnedReport::new(&map, nose, v.sagitta_mm), map })
+    Ok(TurningProof { verified: TurnedReport::new(&map, nose, between, v.sagitta_mm), map })
 }
 
 /// Revolutions a minute.

@@ -198,7 +198,7 @@ pub enum ApertureSpec {
 #[expect(missing_docs, reason = "names and units are the table's in fields.rs")]
 pub enum ToolSpec {
     Ball { radius_mm: f64, spindle_rpm: f64 },
-    Insert { radius_mm: f64, rake_deg: f64, clearance_deg: f64, sweep_deg: f64 },
+    Insert { radius_mm: f64, rake_deg: f64, least_rake_deg: f64, clearance_deg: f64, sweep_deg: f64 },
 }
 
 /// The curve that the nose follows.

@@ -32,8 +32,6 @@ pub enum Feed {
 const FEED_DECIMALS: usize = 4;
 /// Smallest feed that the text can state.
 const LEAST_FEED: f64 = 1e-4;
-/// How far LinuxCNC may round the corners between chords, mm.
-const BLEND: &str = "0.00001";
 
 /// `program` as G-code. Its path must be of linear moves.
 ///
@@ -70,7 +68,7 @@ pub fn write_gcode(
             line(&["(", &meaning.remark(), ")"]);
             let x = if meaning.x_word == super::XWord::Diameter { "G7" } else { "G8" };
             line(&["G21 G90 G18 G94 G40 G49 G80 ", x]);
-            line(&["G64 P", BLEND]);
+            line(&["G64 P", &trimmed(program.blend, 9)]);
             line(&[&format!("T{} M6", program.tool)]);
             line(&["G43"]);
         }

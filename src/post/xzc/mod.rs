@@ -42,6 +42,8 @@ pub struct XzcProgram {
     pub clearance: f64,
     /// Feed down to the path, mm/min.
     pub approach: f64,
-    /// The motion of the nose centre.
+    /// How far the control may round the corners between chords, mm.
+    pub blend: f64,
+    /// The motion of the nose centre, from rest to rest.
     pub path: TurningPath,
 }

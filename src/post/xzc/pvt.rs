@@ -13,15 +13,11 @@ use crate::toolpath::{AxisPoint, Interpolation, Nose, TurningPath};
 const TIME_DECIMALS: usize = 6;
 /// Decimals of velocities beyond those of positions: an error of velocity counts for the time of a block, hundredths of a second.
 const MORE: usize = 1;
-/// Seconds in which X and C get going and come to rest, clear of the part.
-const RUN: f64 = 1.0;
-/// Seconds in which Z comes down to the path and leaves it, moving along with it.
-const ENTRY: f64 = 0.2;
 
 /// `program` as blocks `X position:velocity Z … C …`, each reached in the time stated by the last `PVT` (milliseconds);
 /// velocities are in mm/s and degrees/s.
 ///
-/// Before the path X and C get going above the part, then Z comes down to the path with its velocity; after it the other way.
+/// Before the path Z comes down to it, and after it goes up again, while X and C are at rest: the path itself is from rest to rest.
 ///
 /// Errors: no moves; a number that is not finite, or time that does not rise.
 pub fn write_pvt(program: &XzcProgram, rounding: &Rounding) -> Result<String, WriteError> {
@@ -30,14 +26,9 @@ pub fn write_pvt(program: &XzcProgram, rounding: &Rounding) -> Result<String, Wr
     check(points)?;
     let meaning = Meaning::of(program);
     let clear = points.iter().map(|p| p.z).fold(f64::NEG_INFINITY, f64::max) + program.clearance;
-    // Moving evenly with X and C, Z at rest above.
-    let above = |p: &AxisPoint, seconds: f64| {
-        let [vx, _, vc] = p.rates;
-        AxisPoint { x: p.x + vx * seconds, z: clear, c: p.c + vc * seconds, rates: [vx, 0.0, vc], ..*p }
-    };
-    let at_rest = |p: &AxisPoint, seconds: f64| AxisPoint { rates: [0.0; 3], ..above(p, seconds) };
-    let (before, after) = (above(first, -ENTRY), above(last, ENTRY));
-    let (start, end) = (at_rest(first, -ENTRY - 0.5 * RUN), at_rest(last, ENTRY + 0.5 * RUN));
+    let above = |p: &AxisPoint| AxisPoint { z: clear, rates: [0.0; 3], ..*p };
+    // A cubic from rest to rest is half as fast again in its middle as on average. In whole milliseconds: no rounding of Z shows.
+    let approach = |p: &AxisPoint| 1e-3 * (1.5 * 60e3 * (clear - p.z) / program.approach).ceil();
 
     let mut blocks =
         Blocks { text: String::with_capacity(points.len() * 80 + 1000), meaning, rounding, time: 0 };
@@ -46,17 +37,15 @@ pub fn write_pvt(program: &XzcProgram, rounding: &Rounding) -> Result<String, Wr
     blocks.line("; X AND Z IN MM, C IN DEGREES, VELOCITIES A SECOND");
     blocks.line("OPEN PROG 1 CLEAR");
     blocks.line("ABS");
-    blocks.rapid(&start, "Z");
-    blocks.rapid(&start, "XC");
-    blocks.reach(&before, RUN);
-    blocks.reach(first, ENTRY);
+    blocks.rapid(&above(first), "Z");
+    blocks.rapid(&above(first), "XC");
+    blocks.reach(&AxisPoint { rates: [0.0; 3], ..*first }, approach(first));
     blocks.line("; PATH");
     for pair in points.windows(2) {
         blocks.reach(&pair[1], pair[1].time - pair[0].time);
     }
     blocks.line("; END");
-    blocks.reach(&after, ENTRY);
-    blocks.reach(&end, RUN);
+    blocks.reach(&above(last), approach(last));
     blocks.line("CLOSE");
     Ok(blocks.text)
 }

@@ -4,8 +4,7 @@ use super::ball::BallSweep;
 use super::form::{Form, Sagitta, form};
 use super::insert::InsertSweep;
 use super::ray::{Ray, Sweep, Target};
-use super::refine::{SEEDS, climb};
-use crate::math::order::rank;
+use super::refine::{Samples, extreme};
 use crate::monitor::{Cancelled, Stage};
 use crate::toolpath::{Nose, TurningPath};
 use std::f64::consts::TAU;
@@ -158,16 +157,9 @@ pub fn verify_turned(
     let weight = |j: usize| if j == 0 { 0.125 } else { j as f64 };
     let weighted: Vec<(f64, f64)> =
         all.iter().enumerate().filter(|(_, h)| !h.is_nan()).map(|(k, h)| (*h, weight(k % rings))).collect();
-    let extreme = |sense: f64| {
-        seeds(&all, rings, sense)
-            .into_iter()
-            .filter_map(|k| {
-                let start = [steps[0] * (k % rings) as f64, steps[1] * (k / rings) as f64];
-                climb(part, sweep, start, steps, sense)
-            })
-            .max_by(|a, b| (sense * a.value).total_cmp(&(sense * b.value)))
-    };
-    let form = form(&weighted, &options.bands, extreme(-1.0), extreme(1.0));
+    let samples = Samples { all: &all, rings, steps };
+    let [lowest, highest] = [-1.0, 1.0].map(|sense| extreme(part, sweep, &samples, sense));
+    let form = form(&weighted, &options.bands, lowest, highest);
     let sagittas = part.meridians.1.iter().filter_map(|a| sagitta(part, sweep, *a, options.chord)).collect();
     stage.at(1.0)?;
     let residues = all.iter().map(|h| *h as f32).collect();
@@ -196,18 +188,6 @@ fn check(path: &TurningPath) -> Result<(), TurnedError> {
 pub(super) fn target(part: &TurnedPart, ray: &Ray, rho: f64) -> Option<Target> {
     let Surface { z, normal } = (part.surface)(rho * ray.cos, rho * ray.sin)?;
     Some(Target { rho, z, normal })
-}
-
-/// The numbers of the residues to look around: the most extreme of each of [`SEEDS`] bundles of neighbouring rays, since the
-/// sample nearest to the extreme need not be the most extreme one.
-fn seeds(all: &[f64], rings: usize, sense: f64) -> Vec<usize> {
-    let bundle = all.len().div_ceil(SEEDS).max(1).next_multiple_of(rings);
-    let most = |(first, some): (usize, &[f64])| {
-        let finite = some.iter().enumerate().filter(|(_, h)| h.is_finite());
-        let best = finite.max_by_key(|(_, h)| rank(sense * **h));
-        best.map(|(k, _)| first * bundle + k)
-    };
-    all.chunks(bundle).enumerate().filter_map(most).collect()
 }
 
 /// The sagitta over the chord through the vertex in the direction `angle`.
