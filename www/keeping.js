@@ -14,12 +14,12 @@ const MOST_TABS = 6;
 /** Edits that follow one another faster are written once. */
 const REST_MS = 400;
 
-/** @typedef {{ tab: string, time: number, draft: Draft }} Kept */
+/** @template D @typedef {{ tab: string, time: number, draft: D }} Kept */
 
-/** @returns {Promise<IDBDatabase>} */
-function database() {
+/** @param {string} name @returns {Promise<IDBDatabase>} */
+function database(name) {
   return new Promise((resolve, reject) => {
-    const request = indexedDB.open(DATABASE, 1);
+    const request = indexedDB.open(name, 1);
     request.onupgradeneeded = () => request.result.createObjectStore(STORE, { keyPath: 'tab' });
     request.onsuccess = () => resolve(request.result);
     request.onerror = () => reject(request.error);
@@ -28,12 +28,13 @@ function database() {
 
 /**
  * @template T
+ * @param {string} name
  * @param {IDBTransactionMode} mode
  * @param {(store: IDBObjectStore) => IDBRequest<T>} act
  * @returns {Promise<T>}
  */
-async function within(mode, act) {
-  const open = await database();
+async function within(name, mode, act) {
+  const open = await database(name);
   try {
     return await new Promise((resolve, reject) => {
       const transaction = open.transaction(STORE, mode);
@@ -59,19 +60,21 @@ function nameOfTab() {
 }
 
 /**
+ * @template [D=Draft]
  * @param {{ onFull: () => void }} callbacks `onFull` once, when the browser has no room.
+ * @param {string} [name] Of the database: each page has its own.
  */
-export function createKeeping({ onFull }) {
+export function createKeeping({ onFull }, name = DATABASE) {
   const tab = nameOfTab();
-  /** @type {Draft | null} */
+  /** @type {D | null} */
   let kept = null;
   let timer = 0;
   let isFull = false;
 
-  /** @param {Draft} draft */
+  /** @param {D} draft */
   async function write(draft) {
     try {
-      await within('readwrite', (store) => store.put({ tab, time: Date.now(), draft }));
+      await within(name, 'readwrite', (store) => store.put({ tab, time: Date.now(), draft }));
       isFull = false;
     } catch (error) {
       // Whoever forbids storage knows; a full disk is news.
@@ -82,7 +85,7 @@ export function createKeeping({ onFull }) {
   }
 
   return {
-    /** Keeps a draft soon, unless it is kept. @param {Draft | null} draft */
+    /** Keeps a draft soon, unless it is kept. @param {D | null} draft */
     update(draft) {
       if (!draft || draft === kept) return;
       kept = draft;
@@ -90,13 +93,14 @@ export function createKeeping({ onFull }) {
       timer = setTimeout(write, REST_MS, draft);
     },
 
-    /** What this tab, or else whichever was last, had kept. @returns {Promise<Draft | null>} */
+    /** What this tab, or else whichever was last, had kept. @returns {Promise<D | null>} */
     async restore() {
       try {
-        /** @type {Kept[]} */
-        const all = await within('readonly', (store) => store.getAll());
+        /** @type {Kept<D>[]} */
+        const all = await within(name, 'readonly', (store) => store.getAll());
         all.sort((a, b) => b.time - a.time);
-        for (const { tab } of all.slice(MOST_TABS)) await within('readwrite', (store) => store.delete(tab));
+        for (const { tab } of all.slice(MOST_TABS))
+          await within(name, 'readwrite', (store) => store.delete(tab));
         const found = all.find((one) => one.tab === tab) ?? all[0];
         return found?.draft ?? null;
       } catch {

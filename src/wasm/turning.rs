@@ -17,6 +17,13 @@ pub fn turning_complete(spec: &str) -> Result<String, JsValue> {
     TurningSpec::from_json(spec).map(|spec| spec.to_json()).map_err(thrown)
 }
 
+/// A turning specification with the heights of a file in itself, as JSON; see [`TurningSpec::with_table`].
+#[wasm_bindgen]
+pub fn turning_table(spec: &str, bytes: &[u8]) -> Result<String, JsValue> {
+    let with_table = |spec: TurningSpec| spec.with_table(bytes);
+    TurningSpec::from_json(spec).and_then(with_table).map(|spec| spec.to_json()).map_err(thrown)
+}
+
 /// A planned path, and its proof after [`Turned::prove`] was called.
 #[wasm_bindgen]
 pub struct Turned {

@@ -4,7 +4,7 @@
  * @import { State, Compared } from './types.js'
  * @import { Schema } from '../types.js'
  */
-import { minutes, plain } from '../format.js';
+import { count, minutes, plain } from '../format.js';
 import { withVariant, write } from '../spec.js';
 import { attribute, h } from '../view/dom.js';
 import { t } from './text.js';
@@ -39,7 +39,7 @@ export function createCompare(root, { onChoose, onRun }) {
   const choices = Object.entries(SWITCHES).map(([name, options]) =>
     h(
       'div',
-      { class: 'switch', role: 'group', 'aria-label': t(`compare.${name}`) },
+      { class: 'switch', role: 'group', 'data-switch': name, 'aria-label': t(`compare.${name}`) },
       ...options.map((option) => {
         const button = h(
           'button',
@@ -64,7 +64,7 @@ export function createCompare(root, { onChoose, onRun }) {
     { type: 'button', class: 'small', name: 'compare', onclick: onRun },
     t('compare.run'),
   );
-  const columns = ['way', 'residue', 'x', 'c', 'time'];
+  const columns = ['way', 'residue', 'x', 'c', 'points', 'time'];
   const head = h('tr', {}, ...columns.map((id) => h('th', { scope: 'col' }, t(`compare.column.${id}`))));
   const body = h('tbody', {});
   const table = h('table', {}, h('caption', {}, t('compare.caption')), h('thead', {}, head), body);
@@ -72,7 +72,7 @@ export function createCompare(root, { onChoose, onRun }) {
     h('h2', {}, t('compare.title')),
     ...choices,
     run,
-    table,
+    h('div', { class: 'wide' }, table),
     h('p', { class: 'help' }, t('compare.about')),
   );
   /** @type {unknown} */
@@ -80,7 +80,7 @@ export function createCompare(root, { onChoose, onRun }) {
 
   return {
     /** @param {State} state */
-    update({ spec, compared, job }) {
+    update({ draft: spec, compared, job }) {
       if (!spec) return;
       now = { guide: spec.guide.kind, points: spec.points.kind };
       for (const [key, button] of buttons) {
@@ -104,6 +104,7 @@ function line({ guide, points, report }) {
     `${um(verified?.overcut?.mm)} … ${um(verified?.residue?.mm)}`,
     plain(round(report.x.acceleration.value)),
     plain(round(report.c.acceleration.value)),
+    count(report.points),
     minutes(report.time_s / 60),
   ];
   const way = `${t(`compare.guide.${guide}`)}, ${t(`compare.points.${points}`).toLowerCase()}`;

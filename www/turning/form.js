@@ -4,7 +4,7 @@
  * @import { State } from './types.js'
  * @import { Schema, Group, Field } from '../types.js'
  */
-import { plain } from '../format.js';
+import { count, plain } from '../format.js';
 import { chosen, fault, fieldsOf, pointsOf, pointsText, read } from '../spec.js';
 import { attribute, h, say } from '../view/dom.js';
 import { has, prettify, t } from './text.js';
@@ -12,14 +12,18 @@ import { has, prettify, t } from './text.js';
 /** Groups that are open at first: what most people set. */
 const OPEN = new Set(['surface', 'aperture', 'tool', 'guide', 'points', 'tolerance']);
 
+/** Longer lists come from a file and are not shown. */
+const MOST_WRITTEN = 2000;
+
 /** @typedef {HTMLInputElement | HTMLSelectElement | HTMLTextAreaElement} Control */
-/** @typedef {{ input: Control, row: HTMLElement, message: HTMLElement, field: Field }} Entry */
+/** @typedef {{ input: Control, row: HTMLElement, note: HTMLElement, message: HTMLElement, field: Field }} Entry */
 
 /**
  * @param {HTMLElement} root
- * @param {{ onEdit: (path: string, value: any) => void, onVariant: (group: Group, kind: string) => void }} callbacks
+ * @param {{ onEdit: (path: string, value: any) => void, onVariant: (group: Group, kind: string) => void,
+ *   onPick: () => void }} callbacks `onPick` when somebody wants to open a file.
  */
-export function createForm(root, { onEdit, onVariant }) {
+export function createForm(root, { onEdit, onVariant, onPick }) {
   /** @type {Map<string, Entry>} */
   let entries = new Map();
   /** @type {Map<string, HTMLElement>} */
@@ -64,8 +68,17 @@ export function createForm(root, { onEdit, onVariant }) {
     const id = `field-${path}`;
     const input = control(field, path);
     input.id = id;
-    const unit = field.unit ? h('span', { class: 'unit' }, field.unit) : null;
+    const unit = field.unit ? h('span', { class: 'unit' }, t(`unit.${field.unit}`, {}, field.unit)) : null;
+    const pick =
+      path === 'surface.heights_mm'
+        ? h(
+            'button',
+            { type: 'button', class: 'small', name: 'heights', onclick: onPick },
+            t('action.heights'),
+          )
+        : null;
     const help = has(`help.${path}`) ? h('p', { class: 'help', id: `${id}-help` }, t(`help.${path}`)) : null;
+    const note = h('p', { class: 'help' });
     const message = h('p', { class: 'message', id: `${id}-message`, 'aria-live': 'polite' });
     input.setAttribute('aria-describedby', `${help ? `${help.id} ` : ''}${message.id}`);
     const element = h(
@@ -73,10 +86,12 @@ export function createForm(root, { onEdit, onVariant }) {
       { class: `field ${field.type}`, 'data-field': path },
       h('label', { for: id }, t(`field.${path}`, {}, prettify(field.name))),
       h('span', { class: 'value' }, input, unit),
+      note,
+      pick,
       help,
       message,
     );
-    entries.set(path, { input, row: element, message, field });
+    entries.set(path, { input, row: element, note, message, field });
     return element;
   }
 
@@ -119,10 +134,12 @@ export function createForm(root, { onEdit, onVariant }) {
   }
 
   /** @param {State} state */
-  function showValues({ spec, problem }) {
-    for (const [path, { input, row, message, field }] of entries) {
+  function showValues({ draft: spec, problem }) {
+    for (const [path, { input, row, note, message, field }] of entries) {
       const value = read(spec, path);
       showValue(input, field, value);
+      say(note, input.hidden ? t('form.many', { count: count(value.length) }) : '');
+      note.hidden = !input.hidden;
       const text = faultText(field, value) || (problem?.field === path ? problem.message : '');
       say(message, text);
       row.classList.toggle('wrong', text !== '');
@@ -131,9 +148,18 @@ export function createForm(root, { onEdit, onVariant }) {
   }
 
   return {
+    /** Opens the section of a field and goes there. @param {string} path */
+    focus(path) {
+      const entry = entries.get(path);
+      // What concerns a whole section is said at the button.
+      if (!entry) return;
+      entry.row.closest('details')?.setAttribute('open', '');
+      entry.input.focus();
+    },
+
     /** @param {State} state */
     update(state) {
-      const { schema, spec } = state;
+      const { schema, draft: spec } = state;
       if (!schema || !spec) return;
       if (bodies.size === 0) build(schema);
       const list = (/** @type {Group} */ group) =>
@@ -162,6 +188,9 @@ export function createForm(root, { onEdit, onVariant }) {
 function showValue(input, field, value) {
   if (input instanceof HTMLInputElement && input.type === 'checkbox') input.checked = value === true;
   else if (input instanceof HTMLTextAreaElement) {
+    // A million numbers are no text that anybody writes.
+    input.hidden = (value ?? []).length > MOST_WRITTEN;
+    if (input.hidden) return;
     const isPoints = field.type === 'points';
     const same = isPoints
       ? pointsText(pointsOf(input.value)) === pointsText(value ?? [])
@@ -185,6 +214,10 @@ function numbersOf(text) {
 /** What is wrong with a value, in words; '' if nothing. @param {Field} field @param {any} value */
 function faultText(field, value) {
   const type = /** @type {string} */ (field.type);
+  if (type === 'points') {
+    const isTerm = (/** @type {any[]} */ term) => term.length === 3 && term.every(Number.isFinite);
+    return (value ?? []).every(isTerm) ? '' : t('fault.points');
+  }
   if (type === 'numbers') return (value ?? []).every(Number.isFinite) ? '' : t('fault.numbers');
   if (type === 'text') return '';
   const code = fault(field, value);

@@ -3,7 +3,7 @@
  *
  * @import { Outcome } from './types.js'
  */
-import { css, divergingColor } from '../view/colors.js';
+import { css } from '../view/colors.js';
 import { residueAt } from './map.js';
 
 /** Room around the part, as a share of the canvas. */
@@ -14,12 +14,12 @@ const LIGHT = [-0.45, 0.35, 0.82];
 /**
  * @param {CanvasRenderingContext2D} context
  * @param {Outcome} outcome
- * @param {number} most mm at the ends of the colours.
+ * @param {(residue: number) => number[]} paint The colour of a residue, mm.
  * @param {{ yaw: number, pitch: number }} camera
  * @param {string | null} line Colour of the path, if it is shown.
  * @param {string} plain Colour of what is not proven.
  */
-export function drawLens(context, { heights, residues, touches, farthest }, most, camera, line, plain) {
+export function drawLens(context, { heights, residues, touches, farthest }, paint, camera, line, plain) {
   const { width, height } = context.canvas;
   const scale = (0.5 * ROOM * Math.min(width, height)) / farthest;
   const [cy, sy, cp, sp] = [
@@ -59,9 +59,7 @@ export function drawLens(context, { heights, residues, touches, farthest }, most
   for (const { corners, seen } of facets) {
     const [x, y] = [0, 1].map((k) => corners.reduce((sum, p) => sum + p[k] / 4, 0));
     const residue = residues ? residueAt(residues, farthest, x, y) : NaN;
-    const color = Number.isFinite(residue)
-      ? css(shaded(divergingColor(residue / most), light(corners)))
-      : plain;
+    const color = Number.isFinite(residue) ? css(shaded(paint(residue), light(corners))) : plain;
     context.beginPath();
     for (const [px, py] of seen) context.lineTo(px, py);
     context.closePath();

@@ -3,11 +3,11 @@
  *
  * @import { State, Outcome } from './types.js'
  */
-import { plain } from '../format.js';
-import { css, divergingColor } from '../view/colors.js';
+import { length, plain } from '../format.js';
+import { css } from '../view/colors.js';
 import { attribute, h, say } from '../view/dom.js';
 import { drawLens } from './lens.js';
-import { drawMap, drawTouches } from './map.js';
+import { drawExtremes, drawMap, drawTouches, residueAt, residueColor, zoom } from './map.js';
 import { t } from './text.js';
 
 /** Sharper than this nobody sees, and it costs the square. */
@@ -22,6 +22,7 @@ const DRAG = 0.008;
  */
 export function createPicture(root, { onShow }) {
   const canvas = h('canvas', { tabindex: 0, 'aria-label': t('picture.label') });
+  const reading = h('output', { class: 'reading' });
   /** @param {'map' | 'lens'} view */
   const viewButton = (view) =>
     h(
@@ -36,9 +37,7 @@ export function createPicture(root, { onShow }) {
   range.addEventListener('change', () => onShow({ range: /** @type {State['range']} */ (range.value) }));
   const [low, high] = [h('span', {}), h('span', {})];
   const swatches = Array.from({ length: 11 }, () => h('i', {}));
-  swatches.forEach((swatch, i) => {
-    swatch.style.background = css(divergingColor(i / 5 - 1));
-  });
+  const beyond = h('p', { class: 'beyond' });
   root.append(
     canvas,
     h(
@@ -60,7 +59,9 @@ export function createPicture(root, { onShow }) {
       ),
       h('div', { class: 'ramp', 'aria-hidden': 'true' }, ...swatches),
       h('div', { class: 'ends numbers' }, low, h('span', {}, '0'), high),
+      beyond,
     ),
+    reading,
   );
   let camera = { yaw: -0.6, pitch: 0.75 };
   /** @type {State | null} */
@@ -85,7 +86,24 @@ export function createPicture(root, { onShow }) {
   canvas.addEventListener('pointerdown', (event) => canvas.setPointerCapture(event.pointerId));
   canvas.addEventListener('pointermove', (event) => {
     if (event.buttons === 1) turn(-event.movementX * DRAG, event.movementY * DRAG);
+    tell(event);
   });
+  canvas.addEventListener('pointerleave', () => say(reading, ''));
+
+  /** Says what is under the pointer. @param {PointerEvent} event */
+  function tell({ offsetX, offsetY }) {
+    const { outcome, view } = last ?? {};
+    if (!outcome?.residues || view !== 'map') return say(reading, '');
+    const { clientWidth, clientHeight, width } = canvas;
+    const scale = (zoom(canvas, outcome.farthest) * clientWidth) / width;
+    const [x, y] = [(offsetX - 0.5 * clientWidth) / scale, (0.5 * clientHeight - offsetY) / scale];
+    const residue = residueAt(outcome.residues, outcome.farthest, x, y);
+    const value = Number.isFinite(residue)
+      ? `${plain(Number((residue * 1000).toFixed(3)))} µm`
+      : t('picture.uncut');
+    const places = { x: length(x), y: length(y), value };
+    say(reading, Number.isNaN(residue) ? '' : t('picture.reading', places));
+  }
 
   function schedule() {
     if (isScheduled) return;
@@ -107,12 +125,15 @@ export function createPicture(root, { onShow }) {
     const style = getComputedStyle(root);
     const color = (/** @type {string} */ name) => style.getPropertyValue(name).trim();
     const most = scale(last.outcome, last.range);
+    const isBand = last.range !== 'own';
     if (last.view === 'map') {
-      drawMap(context, last.outcome, most);
+      drawMap(context, last.outcome, most, isBand);
       if (last.path) drawTouches(context, last.outcome, color('--path-cut'));
+      drawExtremes(context, last.outcome, [color('--ink'), color('--panel')], ratio);
     } else {
       const lines = last.path ? color('--path-over') : null;
-      drawLens(context, last.outcome, most, camera, lines, color('--surface-front'));
+      const paint = (/** @type {number} */ residue) => residueColor(residue, most, isBand);
+      drawLens(context, last.outcome, paint, camera, lines, color('--surface-front'));
     }
     root.dataset.drawn = last.view;
   }
@@ -139,10 +160,22 @@ export function createPicture(root, { onShow }) {
       const most = outcome ? scale(outcome, state.range) * 1000 : 0;
       say(low, most ? `−${plain(Number(most.toPrecision(3)))}` : '');
       say(high, most ? `+${plain(Number(most.toPrecision(3)))}` : '');
+      const isBand = state.range !== 'own';
+      swatches.forEach((swatch, i) => {
+        // The outermost two stand for what is beyond.
+        swatch.style.background = css(residueColor((i / 5 - 1) * (isBand ? 1.25 : 1), 1, isBand));
+      });
+      const band = isBand ? bands[state.range === 'fine' ? 0 : 1] : null;
+      const shares = band && { over: few(band.over), under: few(band.under) };
+      say(beyond, shares ? t('picture.beyond', shares) : '');
+      beyond.hidden = !band;
       schedule();
     },
   };
 }
+
+/** A share of little, %. @param {number} share */
+const few = (share) => `${plain(Number((share * 100).toPrecision(2)))} %`;
 
 /** The residue that the ends of the colours stand for, mm. @param {Outcome} outcome @param {State['range']} range */
 function scale({ report }, range) {

@@ -14,24 +14,33 @@ export function createSaving(root) {
   /** @type {unknown[]} */
   let shown = [];
 
+  let saveJob = () => {};
+
   return {
+    /** Saves the job that is edited. */
+    saveJob: () => saveJob(),
+
     /** @param {State} state */
-    update({ outcome, spec }) {
+    update({ outcome, draft: spec }) {
       if (shown[0] === outcome && shown[1] === spec) return;
       shown = [outcome, spec];
       if (!spec) return;
-      const job = new Blob([`${JSON.stringify(spec, null, 2)}\n`], { type: 'application/json' });
+      const job = new Blob([`${JSON.stringify({ job: 'turning', ...spec }, null, 2)}\n`], {
+        type: 'application/json',
+      });
       /** @type {[string, string, Blob][]} */
       const items = outcome
         ? [
             ['program', outcome.extension, outcome.files.program],
             ['csv', 'csv', outcome.files.csv],
+            ['turns', 'turns.csv', outcome.files.turns],
             ['apt', 'apt', outcome.files.apt],
             ['report', 'report.json', outcome.files.report],
           ]
         : [];
       items.push(['spec', 'job.json', job]);
       const name = String(spec.name || 'lens').replace(/[^\p{L}\p{N}_-]+/gu, '-');
+      saveJob = () => save(job, `${name}.job.json`);
       list.replaceChildren(...items.map(([id, ending, blob]) => button(id, blob, `${name}.${ending}`)));
     },
   };

@@ -5,7 +5,7 @@ import init, * as planner from '../wasm/turning.js';
 const PROGRESS_EVERY_MS = 30;
 
 /** Rays and places on each of the lens that is drawn. */
-const LENS = [144, 40];
+const LENS = [360, 56];
 /** Points of the path that are drawn: more than a screen shows. */
 const DRAWN = 40_000;
 
@@ -22,6 +22,14 @@ const ready = new Promise((resolve) => {
 /** What was planned last, for its proof and its turns. @type {planner.Turned | null} */
 let current = null;
 
+/** @param {any} spec @param {Progress} progress */
+function plan(spec, progress) {
+  current?.free();
+  current = null;
+  current = planner.turning_plan(JSON.stringify(spec), undefined, progress);
+  return current;
+}
+
 /** @type {Record<string, (args: any[], progress: Progress) => Answer>} */
 const operations = {
   start: () => ({
@@ -32,11 +40,15 @@ const operations = {
     transfer: [],
   }),
 
+  complete: ([text]) => ({ result: JSON.parse(planner.turning_complete(text)), transfer: [] }),
+
+  table: ([spec, bytes]) => ({
+    result: JSON.parse(planner.turning_table(JSON.stringify(spec), bytes)),
+    transfer: [],
+  }),
+
   plan([spec], progress) {
-    current?.free();
-    current = null;
-    const planned = planner.turning_plan(JSON.stringify(spec), undefined, progress);
-    current = planned;
+    const planned = plan(spec, progress);
     const report = planned.report();
     const [rays, rings] = LENS;
     const heights = planned.heights(rays, rings);
@@ -46,6 +58,7 @@ const operations = {
     const files = {
       program: new Blob([planned.program()], { type: 'text/plain' }),
       csv: new Blob([planned.csv()], { type: 'text/csv' }),
+      turns: new Blob([planned.turns_csv()], { type: 'text/csv' }),
       apt: new Blob([planned.apt()], { type: 'text/plain' }),
       report: new Blob([report], { type: 'application/json' }),
     };
@@ -72,8 +85,9 @@ const operations = {
     return { result: { report: JSON.parse(report), residues, file }, transfer: buffers([values]) };
   },
 
-  motion([radius]) {
-    const values = current?.motion(radius) ?? new Float32Array();
+  // Whoever cancelled something else has a new worker, which has planned nothing.
+  motion([spec, radius], progress) {
+    const values = (current ?? plan(spec, progress)).motion(radius);
     return { result: values, transfer: buffers([values]) };
   },
 

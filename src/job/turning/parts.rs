@@ -176,6 +176,43 @@ fn table(bytes: &[u8]) -> Result<(Vec<f64>, usize), String> {
 }
 
 impl TurningSpec {
+    /// The specification with the heights of a file in itself, as a map with the spacing that it states already; an aperture that goes
+    /// beyond the map becomes the largest round one on it.
+    ///
+    /// Errors say which line of the file is wrong.
+    pub fn with_table(&self, bytes: &[u8]) -> Result<Self, JobError> {
+        let (numbers, columns) = table(bytes).map_err(JobError::Import)?;
+        let (given, [dx, dy]) = match self.surface {
+            SurfaceSpec::Grid { given, spacing_x_mm, spacing_y_mm, .. } => (given, [spacing_x_mm, spacing_y_mm]),
+            _ => (GivenSpec::Heights, [1.0; 2]),
+        };
+        let rows = numbers.len().checked_div(columns).unwrap_or(0);
+        let mut spec = self.clone();
+        let ([shift_x_mm, shift_y_mm], angle) = self.surface.held();
+        spec.surface = SurfaceSpec::Grid {
+            given,
+            columns: columns as f64,
+            spacing_x_mm: dx,
+            spacing_y_mm: dy,
+            heights_mm: numbers,
+            path: String::new(),
+            shift_x_mm,
+            shift_y_mm,
+            turn_deg: angle.to_degrees(),
+        };
+        let part = spec.part(None)?;
+        if spec.aperture().largest_share(|[x, y]| part.reaches(x, y)) < 1.0 {
+            let half = 0.5 * f64::min(dx * (columns - 1) as f64, dy * (rows - 1) as f64);
+            spec.aperture = ApertureSpec::Round {
+                radius_mm: half,
+                center_x_mm: shift_x_mm,
+                center_y_mm: shift_y_mm,
+                turn_deg: 0.0,
+            };
+        }
+        Ok(spec)
+    }
+
     /// The part as it is held; `bytes` is the content of its file, if it is in one. Errors name the setting.
     pub fn part(&self, bytes: Option<&[u8]>) -> Result<Placed, JobError> {
         let (shift, angle) = self.surface.held();

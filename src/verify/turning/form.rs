@@ -59,7 +59,8 @@ pub(super) fn form(
     let total: f64 = residues.iter().map(|(_, w)| w).sum();
     let cut = || residues.iter().filter(|(h, _)| h.is_finite());
     let area: f64 = cut().map(|(_, w)| w).sum();
-    let share = |w: f64, of: f64| if of > 0.0 { w / of } else { 0.0 };
+    // A sum of nothing is −0.
+    let share = |w: f64, of: f64| if of > 0.0 { w / of + 0.0 } else { 0.0 };
     let mean = share(cut().map(|(h, w)| h * w).sum(), area);
     let square = share(cut().map(|(h, w)| (h - mean) * (h - mean) * w).sum(), area);
     let bands = limits

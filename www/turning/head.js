@@ -1,0 +1,109 @@
+/**
+ * What stands at the top right: undo, sharing, opening, language.
+ *
+ * @import { State } from './types.js'
+ */
+
+import { count } from '../format.js';
+import { MOST } from '../share/link.js';
+import { attribute, h, icon, say } from '../view/dom.js';
+import { linked } from './link.js';
+import { language, switchLanguage, t } from './text.js';
+
+/**
+ * @param {HTMLElement} root
+ * @param {{ onUndo: () => void, onRedo: () => void, onFiles: (files: File[]) => void }} callbacks
+ */
+export function createHead(root, { onUndo, onRedo, onFiles }) {
+  /** @param {'undo' | 'redo' | 'open'} name @param {() => void} onclick */
+  const quiet = (name, onclick) => {
+    const title = t(`action.${name}`);
+    return h(
+      'button',
+      { type: 'button', class: 'quiet', name, title, 'aria-label': title, onclick },
+      icon(name),
+    );
+  };
+  const picker = h('input', { type: 'file', class: 'hidden', name: 'file', tabindex: -1, multiple: true });
+  attribute(picker, 'aria-label', t('action.open'));
+  picker.addEventListener('change', () => {
+    onFiles([...(picker.files ?? [])]);
+    // The same file again is a change too.
+    picker.value = '';
+  });
+  const [undo, redo] = [quiet('undo', onUndo), quiet('redo', onRedo)];
+  const link = h('textarea', { readonly: true, rows: 4, name: 'link', 'aria-label': t('share.link') });
+  const about = h('p', { 'aria-live': 'polite' });
+  const copy = h('button', { type: 'button', class: 'primary', name: 'copy' }, t('share.copy'));
+  copy.addEventListener('click', async () => {
+    link.select();
+    try {
+      await navigator.clipboard.writeText(link.value);
+    } catch {
+      // Without the permission the text is selected: the keys do it.
+      return;
+    }
+    say(copy, t('share.copied'));
+    setTimeout(() => say(copy, t('share.copy')), 2000);
+  });
+  const close = h(
+    'button',
+    { type: 'button', class: 'quiet', 'aria-label': t('action.close'), onclick: () => dialog.close() },
+    icon('close'),
+  );
+  const dialog = h(
+    'dialog',
+    { class: 'sheet share', 'aria-labelledby': 'share-title' },
+    h('div', { class: 'head' }, h('h2', { id: 'share-title' }, t('share.title')), close),
+    about,
+    h('div', { class: 'parts' }, link, copy),
+  );
+  const share = h('button', { type: 'button', name: 'share' }, icon('share'), h('span', {}, t('share.open')));
+  attribute(share, 'aria-label', t('share.open'));
+  const other = h(
+    'button',
+    {
+      type: 'button',
+      class: 'quiet',
+      name: 'language',
+      lang: language === 'zh' ? 'en' : 'zh',
+      onclick: switchLanguage,
+    },
+    t('action.language'),
+  );
+  root.append(
+    picker,
+    undo,
+    redo,
+    quiet('open', () => picker.click()),
+    share,
+    other,
+    dialog,
+  );
+  /** @type {any} */
+  let draft = null;
+
+  share.addEventListener('click', async () => {
+    if (!draft) return;
+    const fragment = await linked(draft);
+    const isTooLong = fragment.length > MOST;
+    const places = { letters: count(fragment.length), most: count(MOST) };
+    say(about, t(isTooLong ? 'share.too_long' : 'share.about', places));
+    link.value = isTooLong ? '' : `${location.origin}${location.pathname}${fragment}`;
+    link.hidden = copy.hidden = isTooLong;
+    dialog.showModal();
+    if (!isTooLong) link.select();
+  });
+
+  return {
+    pickFile: () => picker.click(),
+
+    /** @param {State} state */
+    update(state) {
+      draft = state.draft;
+      undo.disabled = !state.canUndo;
+      redo.disabled = !state.canRedo;
+      share.disabled = !draft;
+    },
+  };
+}

@@ -1,0 +1,27 @@
+/** @import { State } from './types.js' */
+import { createHistory } from '../history.js';
+
+/** @returns {State} */
+function empty() {
+  return {
+    schema: null,
+    draft: null,
+    canUndo: false,
+    canRedo: false,
+    outcome: null,
+    planned: null,
+    motion: null,
+    radius: 0,
+    axis: 'z',
+    job: null,
+    problem: null,
+    view: 'map',
+    path: true,
+    range: 'own',
+    compared: [],
+    dragging: false,
+  };
+}
+
+/** The turning page's one state. @param {(state: State) => void} listener */
+export const createState = (listener) => createHistory(empty(), listener);
