@@ -8,6 +8,8 @@ import { test } from 'node:test';
 import { brotliCompressSync, gzipSync } from 'node:zlib';
 import './link.test.js';
 import './text.test.js';
+import './turning-link.test.js';
+import './turning-said.test.js';
 import init, * as planner from '../../www/wasm/stepover.js';
 
 const wasm = new URL('../../www/wasm/stepover_bg.wasm', import.meta.url);
