@@ -29,7 +29,9 @@ for (const [page, english, chinese] of TABLES) {
     const missing = Object.keys(english).filter((id) => !(id in chinese) && !COMMON.includes(id));
     assert.deepEqual(missing, []);
     // Where English is the planner's own word, only Chinese needs a text.
-    const needless = Object.keys(chinese).filter((id) => !(id in english) && !/^(field|choice|unit)\./.test(id));
+    const needless = Object.keys(chinese).filter(
+      (id) => !(id in english) && !/^(field|choice|unit)\./.test(id),
+    );
     assert.deepEqual(needless, []);
   });
 

@@ -61,5 +61,6 @@ test('and so is what is warned of', () => {
   const planned = planner.turning_plan(JSON.stringify(job), undefined, () => {});
   const { warnings } = JSON.parse(planned.report());
   assert.ok(warnings.length >= 4, warnings.join('\n'));
-  for (const warning of warnings) assert.deepEqual(english(said(warning.replace(/^[\w.]+: /, ''))), [], warning);
+  for (const warning of warnings)
+    assert.deepEqual(english(said(warning.replace(/^[\w.]+: /, ''))), [], warning);
 });

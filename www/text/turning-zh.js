@@ -216,7 +216,6 @@ export default {
   'compare.column.residue': '残留，µm',
   'compare.column.x': 'X，mm/s²',
   'compare.column.c': 'C，°/s²',
-  'compare.column.points': '点数',
   'compare.column.time': '时间',
 
   'picture.map': '残留',
@@ -242,7 +241,7 @@ export default {
   'plot.most-acceleration': '最大加速度，{unit}',
   'plot.most-jerk': '最大加加速度，{unit}',
   'plot.angle': '角度，°',
-  'plot.radius': '到主轴的距离，mm',
+  'plot.radius': '半径，mm',
   'plot.turn': '距主轴 {radius} mm 的一圈',
 
   'results.title': '结果',

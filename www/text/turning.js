@@ -213,7 +213,6 @@ export default {
   'compare.column.residue': 'Residue, µm',
   'compare.column.x': 'X, mm/s²',
   'compare.column.c': 'C, °/s²',
-  'compare.column.points': 'Points',
   'compare.column.time': 'Time',
 
   'picture.map': 'Residue',
@@ -235,11 +234,11 @@ export default {
   'plot.acceleration': 'Acceleration of {axis}, {unit}',
   'plot.jerk': 'Jerk of {axis}, {unit}',
   'plot.stroke': 'Stroke a turn, {unit}',
-  'plot.most-velocity': 'Largest velocity, {unit}',
-  'plot.most-acceleration': 'Largest acceleration, {unit}',
-  'plot.most-jerk': 'Largest jerk, {unit}',
+  'plot.most-velocity': 'Peak velocity, {unit}',
+  'plot.most-acceleration': 'Peak acceleration, {unit}',
+  'plot.most-jerk': 'Peak jerk, {unit}',
   'plot.angle': 'angle, °',
-  'plot.radius': 'distance from the axis, mm',
+  'plot.radius': 'radius, mm',
   'plot.turn': 'Turn at {radius} mm from the axis',
 
   'results.title': 'Result',

@@ -4,7 +4,7 @@
  * @import { State, Compared } from './types.js'
  * @import { Schema } from '../types.js'
  */
-import { count, minutes, plain } from '../format.js';
+import { minutes, plain } from '../format.js';
 import { withVariant, write } from '../spec.js';
 import { attribute, h } from '../view/dom.js';
 import { t } from './text.js';
@@ -64,7 +64,7 @@ export function createCompare(root, { onChoose, onRun }) {
     { type: 'button', class: 'small', name: 'compare', onclick: onRun },
     t('compare.run'),
   );
-  const columns = ['way', 'residue', 'x', 'c', 'points', 'time'];
+  const columns = ['way', 'residue', 'x', 'c', 'time'];
   const head = h('tr', {}, ...columns.map((id) => h('th', { scope: 'col' }, t(`compare.column.${id}`))));
   const body = h('tbody', {});
   const table = h('table', {}, h('caption', {}, t('compare.caption')), h('thead', {}, head), body);
@@ -104,7 +104,6 @@ function line({ guide, points, report }) {
     `${um(verified?.overcut?.mm)} … ${um(verified?.residue?.mm)}`,
     plain(round(report.x.acceleration.value)),
     plain(round(report.c.acceleration.value)),
-    count(report.points),
     minutes(report.time_s / 60),
   ];
   const way = `${t(`compare.guide.${guide}`)}, ${t(`compare.points.${points}`).toLowerCase()}`;
