@@ -130,9 +130,9 @@ pub fn plan(order: &Order, stage: &Stage) -> Result<Planned, TurningError> {
     };
     stage.at(0.1)?;
     let mut tries = if matches!(order.spacing, Step::Chosen(_)) { RETRIES } else { 0 };
+    let mut laying = stage.part("Laying the path", 0.1, 0.6);
     let (laid, mut points, chord) = loop {
-        let laid =
-            lay(order, &guide, &spacing, &reference, &stage.part("Laying the path", 0.1, 0.6).quiet())?;
+        let laid = lay(order, &guide, &spacing, &reference, &laying)?;
         let points: Vec<AxisPoint> = laid.moments.iter().map(|m| m.point).collect();
         let chord = chord_error(part, aperture, nose, order.interpolation, &points)?;
         let Err(error) = check_chord(&chord, order, &spacing) else { break (laid, points, chord) };
@@ -140,6 +140,8 @@ pub fn plan(order: &Order, stage: &Stage) -> Result<Planned, TurningError> {
             return Err(error);
         }
         tries -= 1;
+        // Progress never falls: what is done again is not told of.
+        laying = laying.quiet();
         spacing = whole_turn(fitting(order, &spacing, largest(&chord).error));
         stage.at(0.6)?;
     };

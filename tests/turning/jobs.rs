@@ -176,3 +176,83 @@ fn the_schema_names_every_setting_with_its_default() {
         }
     }
 }
+
+/// Interpolation errors are those of the words as they stand: three decimals are coarser than what was planned.
+#[test]
+fn errors_between_points_are_measured_on_the_text() {
+    let job = |decimals: u32| {
+        json!({"points": {"spacing": "chosen"}, "tolerance": {"chord_mm": 0.0001, "residue_mm": 0.01},
+               "output": {"decimals_mm": decimals}, "verify": {"spacing_mm": 2}})
+    };
+    let (fine, coarse) = (planned(&job(6)), planned(&job(3)));
+    let planned = fine.report(None).chord_dug.mm;
+    let dug =
+        |plan: &TurningPlan| plan.prove(&Stage::silent()).unwrap().unwrap().verified.chord_dug.unwrap().mm;
+    near(dug(&fine), planned, 2e-6);
+    assert!(dug(&coarse) < planned - 2e-4);
+    let warnings = coarse.report(None).warnings;
+    assert!(
+        warnings.iter().any(|w| w.starts_with("output.decimals_mm") && w.ends_with("4 would do")),
+        "{warnings:?}"
+    );
+}
+
+#[test]
+fn long_words_are_warned_of_where_the_control_takes_fewer() {
+    let warned = |decimals: u32| {
+        let output = json!({"dialect": "fanuc", "decimals_deg": decimals});
+        let all = planned(&json!({"output": output})).report(None).warnings;
+        all.into_iter().find(|w| w.starts_with("output.decimals_deg"))
+    };
+    // 86 turns are 30,960°.
+    assert!(warned(6).unwrap().ends_with("4 decimals would do"));
+    assert_eq!(warned(4), None);
+}
+
+#[test]
+fn a_lens_off_the_axis_is_turned_from_where_it_begins() {
+    let job = |x: u32| {
+        planned(&json!({"aperture": {"radius_mm": 6, "center_x_mm": x}, "tool": {"radius_mm": 5},
+                        "verify": {"spacing_mm": 0.5}}))
+    };
+    let (near_axis, away) = (job(3).report(None), job(20));
+    assert_eq!(near_axis.innermost_mm, 0.0);
+    let report = away.report(None);
+    assert!(report.innermost_mm > 14.0 && report.turns < 35.0, "{} {}", report.innermost_mm, report.turns);
+    assert_eq!(away.prove(&Stage::silent()).unwrap().unwrap().verified.uncut, 0.0);
+}
+
+#[test]
+fn a_table_of_heights_becomes_part_of_the_job() {
+    let text = "0 1 2 3 4\n".repeat(7);
+    let held = spec(&json!({"surface": {"kind": "grid", "spacing_x_mm": 2, "turn_deg": 30}}))
+        .with_table(text.as_bytes())
+        .unwrap();
+    let part = held.part(None).unwrap();
+    let [x, y] = part.world([2.0, 1.0]);
+    near(part.at(x, y).z, 3.0, 1e-12);
+    // The aperture of 30 mm became what the map holds: 8 by 6 mm.
+    near(held.aperture().farthest(), 3.0, 1e-6);
+    assert_eq!(TurningSpec::from_json(&held.to_json()).unwrap(), held);
+    let wrong = spec(&json!({})).with_table(b"1 2\n3 x\n").unwrap_err();
+    assert!(wrong.to_string().contains("line 2: `x`"), "{wrong}");
+}
+
+/// Whatever a row of turns says, a point says no more.
+#[test]
+fn turns_and_motion_tell_all_axes() {
+    let job = planned(&json!({"points": {"kind": "arc"}, "speed": {"pace": "surface_speed"}}));
+    let turns = job.turns();
+    let motion = job.motion(20.0);
+    assert!(turns.len() % 14 == 0 && motion.len() % 13 == 0 && motion.len() / 13 > 60);
+    let row = turns.chunks(14).find(|t| (t[0] - 20.0).abs() < 0.5).unwrap();
+    for axis in 0..3 {
+        for kind in 1..4 {
+            let most = motion.chunks(13).map(|p| p[1 + 4 * axis + kind].abs()).fold(0.0, f64::max);
+            assert!(most <= 1.2 * row[2 + 4 * axis + kind] + 1e-9, "{axis} {kind}: {most} {row:?}");
+        }
+    }
+    let table = job.turns_csv();
+    assert!(table.starts_with("radius_mm,spindle_rpm,x_stroke_mm,x_mm_per_s,"));
+    assert_eq!(table.lines().count(), turns.len() / 14 + 1);
+}

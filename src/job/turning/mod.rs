@@ -5,6 +5,7 @@ mod parts;
 mod report;
 mod run;
 mod spec;
+mod table;
 mod trace;
 mod warnings;
 

@@ -6,9 +6,9 @@ use crate::math::order::{rank, sort_by_key};
 
 /// How many hills are looked at, the highest first: the sample nearest to the extreme need not be the most extreme one, and between
 /// turns there is a crest for each two points.
-const HILLS: usize = 240;
+const HILLS: usize = 96;
 /// How many of them are then followed to the end.
-const FOLLOWED: usize = 12;
+const FOLLOWED: usize = 6;
 /// Rounds to the end: each moves on or halves the distances between rays, and ten halvings leave a thousandth.
 const ROUNDS: usize = 16;
 /// Looks along a ray: each has nine places, and the next one a quarter of their distances.
