@@ -176,9 +176,9 @@ fn feed_is_that_of_the_contact_where_it_is_known() {
     let cut = |k: u32| (pose(DVec3::new(f64::from(k), 0.0, 20.0), 5.0, 0.0), CUT);
     let path = path((0..10).map(cut));
     // The contact goes twice as far as the tip, as on the outside of a bend.
-    let contacts: Vec<DVec3> = path.moves.iter().map(|m| 2.0 * m.to.tip).collect();
+    let contacts: Vec<_> = path.moves.iter().map(|m| Some(2.0 * m.to.tip)).collect();
     let kinematics = Kinematics::new(&example("head_head_ac"), 120.0).unwrap();
-    let seconds = |contacts: &[DVec3]| -> f64 {
+    let seconds = |contacts: &[Option<DVec3>]| -> f64 {
         let axes = drive(&kinematics, &path, contacts, &Following::new(Control::Axes)).unwrap();
         axes.moves.iter().map(|m| m.seconds).sum()
     };

@@ -237,6 +237,11 @@ export default {
   'keys.turn': 'Turn the picture',
   'keys.zoom': 'Zoom the picture',
 
+  'machine.title': 'Program for a machine',
+  'machine.open': 'Choose a machine…',
+  'machine.about': 'Five-axis G-code for your machine and control, read back from its own text.',
+  'machine.failed': 'It could not be loaded. Is there a network? Try again.',
+
   'save.title': 'Save',
   'save.apt': 'APT path',
   'save.nc': 'G-code',

@@ -221,6 +221,11 @@ export default {
   'keys.turn': '转动视图',
   'keys.zoom': '缩放视图',
 
+  'machine.title': '机床程序',
+  'machine.open': '选择机床…',
+  'machine.about': '为您的机床和数控系统生成五轴 G 代码，并从文本回读验证。',
+  'machine.failed': '无法加载。请检查网络后重试。',
+
   'save.title': '保存',
   'save.apt': 'APT 刀路',
   'save.nc': 'G 代码',
