@@ -41,7 +41,7 @@ pub enum Part {
 pub struct Label {
     /// The axis.
     pub letter: char,
-    /// The body that it moves.
+    /// The body that it stands on.
     pub body: usize,
     /// While every axis stands at 0, machine frame, mm.
     pub at: DVec3,
@@ -84,11 +84,15 @@ pub(super) fn figure(chain: &Chain, machine: &Machine, scene: &Scene) -> Figure 
     let middle = machine.workpiece_zero + 0.5 * (*low + *high);
     let under = middle + up * (low.dot(up).min(high.dot(up)) - 0.5 * (*low + *high).dot(up) - 0.15 * size);
     let base = drawing.side(Carries::Workpiece, chain.workpiece(), under);
-    // The bed: along under everything, and up to the head.
+    // The bed: along under everything to behind it, up, and over to the head.
     let foot = base - 0.1 * size * up;
-    let corner = column - up * (column - foot).dot(up);
-    drawing.beam(0, Part::Bed, [foot, corner], 0.24 * size);
-    drawing.beam(0, Part::Bed, [corner, column], 0.24 * size);
+    let back = drawing.behind(up);
+    let far = drawing.reach + 0.7 * size;
+    let rear = foot + back * ((base - foot).dot(back) + far);
+    let top = rear + up * (column - rear).dot(up);
+    for ends in [[foot, rear], [rear, top], [top, column]] {
+        drawing.beam(0, Part::Bed, ends, 0.24 * size);
+    }
     drawing.figure
 }
 
@@ -151,7 +155,7 @@ impl Drawing<'_> {
         self.beam(body, part, [carriage - 0.2 * size * along, carriage + 0.2 * size * along], 0.26 * size);
         let rail = carriage + 0.18 * size * out;
         self.beam(joint.parent, Part::Rail, [rail + low * along, rail + high * along], 0.12 * size);
-        self.label(joint, body, carriage);
+        self.label(joint, joint.parent, rail + high * along);
         // What carries the rail holds it in the middle of what is used of it.
         rail + 0.5 * (low + high) * along
     }

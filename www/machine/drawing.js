@@ -12,6 +12,8 @@ const VIEW = { yaw: -0.62, pitch: 0.42 };
 const DRAG = 0.01;
 const PRESS = 0.15;
 const SHARPEST = 2;
+/** Share of the picture that the machine fills. */
+const MARGIN = 0.9;
 /** Where the light comes from, as seen: from the upper left, before the picture. */
 const LIGHT = [-0.42, 0.64, 0.64];
 
@@ -110,7 +112,7 @@ function paint(canvas, figure, moment, yaw, pitch) {
   if (!pen || width === 0) return;
   const style = getComputedStyle(canvas);
   const color = (/** @type {string} */ name) => style.getPropertyValue(`--machine-${name}`).trim();
-  const look = camera(figure.extent, yaw, pitch, width, height);
+  const look = camera(figure.hull, yaw, pitch, width, height);
   pen.clearRect(0, 0, width, height);
   pen.lineJoin = 'round';
 
@@ -181,26 +183,36 @@ function placed(bodies, body, flat) {
 /**
  * From the machine frame to pixels and a depth that grows towards the eye.
  *
- * @param {number[][]} extent Low and high corner of all that is to be seen.
+ * @param {number[]} hull Points of all that is to be seen, three numbers each.
  * @param {number} yaw @param {number} pitch @param {number} width @param {number} height
  */
-function camera([low, high], yaw, pitch, width, height) {
-  const middle = low.map((x, k) => (x + high[k]) / 2);
+function camera(hull, yaw, pitch, width, height) {
   const [sy, cy, sp, cp] = [Math.sin(yaw), Math.cos(yaw), Math.sin(pitch), Math.cos(pitch)];
   /** @param {number[]} point */
-  const seen = (point) => {
-    const [x, y, z] = point.map((value, k) => value - middle[k]);
+  const seen = ([x, y, z]) => {
     const [right, back] = [cy * x - sy * y, sy * x + cy * y];
     return [right, cp * z + sp * back, sp * z - cp * back];
   };
-  const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((k) =>
-    seen([k & 1 ? high[0] : low[0], k & 2 ? high[1] : low[1], k & 4 ? high[2] : low[2]]),
+  const low = [Infinity, Infinity];
+  const high = [-Infinity, -Infinity];
+  for (let i = 0; i + 2 < hull.length; i += 3) {
+    const at = seen([hull[i], hull[i + 1], hull[i + 2]]);
+    for (const k of [0, 1]) {
+      low[k] = Math.min(low[k], at[k]);
+      high[k] = Math.max(high[k], at[k]);
+    }
+  }
+  const scale = Math.min(
+    (MARGIN * width) / (high[0] - low[0] || 1),
+    (MARGIN * height) / (high[1] - low[1] || 1),
   );
-  const span = (/** @type {number} */ k) => Math.max(...corners.map((corner) => Math.abs(corner[k])));
-  const scale = Math.min((0.48 * width) / span(0), (0.48 * height) / span(1));
   return (/** @type {number[]} */ point) => {
     const [x, y, z] = seen(point);
-    return [width / 2 + scale * x, height / 2 - scale * y, scale * z];
+    return [
+      width / 2 + scale * (x - (low[0] + high[0]) / 2),
+      height / 2 - scale * (y - (low[1] + high[1]) / 2),
+      scale * z,
+    ];
   };
 }
 

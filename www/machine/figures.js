@@ -7,7 +7,7 @@ import { count, feed, length, micron, minutes, plain } from '../format.js';
 import { h, icon } from '../view/dom.js';
 import { t } from './text.js';
 
-/** What the program may change of excess and gouge, mm, beyond what its tip may be off its line. */
+/** A change of excess and gouge that is none, mm. */
 const UNCHANGED = 1e-4;
 
 /** @param {HTMLElement} root */
@@ -17,7 +17,7 @@ export function createFigures(root) {
 
   return {
     /** @param {State} state */
-    update({ work, kept, job, options }) {
+    update({ work, kept, job }) {
       root.hidden = !work;
       const isProving = job?.op === 'prove';
       if (!work || (shown[0] === work && shown[1] === kept && shown[2] === isProving)) return;
@@ -43,7 +43,13 @@ export function createFigures(root) {
         const pair = (/** @type {'largest_excess_mm' | 'largest_gouge_mm'} */ key) =>
           t('result.kept', { planned: told(kept.planned[key]), posted: told(kept.posted[key]) });
         rows.push(row('excess', pair('largest_excess_mm')), row('gouge', pair('largest_gouge_mm')));
-        rows.push(row('change', told(kept.largest_change_mm)));
+        rows.push(
+          row(
+            'change',
+            told(kept.largest_change_mm),
+            t('result.allowed', { allowed: micron(kept.allowed_mm) }),
+          ),
+        );
       }
       if (cutting) {
         const [least, most] = cutting.speeds_m_per_min.map((x) => plain(Math.round(x)));
@@ -60,7 +66,7 @@ export function createFigures(root) {
           ),
         );
       }
-      root.replaceChildren(verdict(kept, isProving, options), h('dl', { class: 'machine-figures' }, ...rows));
+      root.replaceChildren(verdict(kept, isProving), h('dl', { class: 'machine-figures' }, ...rows));
     },
   };
 }
@@ -76,12 +82,13 @@ function row(id, value, more) {
   return h('div', { 'data-machine-figure': id }, h('dt', {}, t(`result.${id}`)), dd);
 }
 
-/** @param {Kept | null} kept @param {boolean} isProving @param {any} options */
-function verdict(kept, isProving, options) {
+/** @param {Kept | null} kept @param {boolean} isProving */
+function verdict(kept, isProving) {
   if (isProving) return h('p', { class: 'machine-verdict' }, t('result.proving'));
-  const allowed = options.following.chord_mm + UNCHANGED;
-  const isGood = !kept || kept.largest_change_mm <= allowed;
-  const words = !kept ? 'result.back.good' : isGood ? 'result.good' : 'result.bad';
+  const change = kept?.largest_change_mm ?? 0;
+  const isGood = !kept || change <= kept.allowed_mm;
+  const good = change <= UNCHANGED ? 'result.good' : 'result.within';
+  const words = !kept ? 'result.back.good' : isGood ? good : 'result.bad';
   const name = isGood ? 'good' : 'bad';
   return h('p', { class: `machine-verdict ${name}` }, icon(name), t(words));
 }

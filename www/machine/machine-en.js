@@ -89,7 +89,8 @@ export default {
   'result.axis': 'Read back, axis within',
   'result.excess': 'Largest excess',
   'result.gouge': 'Deepest gouge',
-  'result.kept': '{planned} planned, {posted} posted',
+  'result.kept': '{planned} → {posted}',
+  'result.allowed': 'the tolerances allow {allowed}',
   'result.change': 'Changed anywhere by at most',
   'result.proving': 'Cutting it in simulation…',
   'result.spindle': 'Spindle',
@@ -99,6 +100,7 @@ export default {
   'result.least': 'At the least',
   'result.least.is': '{speed} m/min on {diameter}',
   'result.good': 'Reads back as planned, and cuts the same',
+  'result.within': 'Reads back as planned, and cuts the same within its tolerances',
   'result.back.good': 'Reads back as planned',
   'result.bad': 'Cuts something else than planned',
 

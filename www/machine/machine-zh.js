@@ -88,7 +88,8 @@ export default {
   'result.axis': '回读刀轴偏差不超过',
   'result.excess': '最大残高',
   'result.gouge': '最深过切',
-  'result.kept': '规划 {planned}，程序 {posted}',
+  'result.kept': '{planned} → {posted}',
+  'result.allowed': '公差允许 {allowed}',
   'result.change': '任何处变化不超过',
   'result.proving': '正在仿真切削…',
   'result.spindle': '主轴',
@@ -98,6 +99,7 @@ export default {
   'result.least': '最低处',
   'result.least.is': '{speed} m/min，有效直径 {diameter}',
   'result.good': '回读与规划一致，切削结果相同',
+  'result.within': '回读与规划一致，切削结果在公差之内相同',
   'result.back.good': '回读与规划一致',
   'result.bad': '切削结果与规划不同',
 

@@ -10,7 +10,6 @@ import { Cancelled, createPlanner, PlannerError } from '../protocol.js';
 import { fieldsOf, read, write } from '../spec.js';
 import { h, icon, say } from '../view/dom.js';
 import { save, stem } from '../view/downloads.js';
-import { shareAt } from '../view/path-lines.js';
 import moduleAddress from '../wasm/machines_bg.wasm?url';
 import { createDrawing } from './drawing.js';
 import { createFigures } from './figures.js';
@@ -22,6 +21,8 @@ import { t } from './text.js';
 /** What is chosen is kept under this name in the browser. */
 const KEY = 'machine';
 const OWN = 'own';
+/** Numbers a point of a path, the length so far being the last. */
+const STRIDE = 8;
 /** A machine's file is a page of text. */
 const LARGEST_FILE = 1e6;
 /** Share of the progress that writing has; the rest is the proof's. */
@@ -364,7 +365,12 @@ export function createMachine({ panel, drawing }, { onAt }) {
 
   /** The playhead at the end of a move. @param {number} move */
   function goTo(move) {
-    if (state.outcome) onAt(Math.min(shareAt(state.outcome.path, move), 0.999999));
+    const path = state.outcome?.path;
+    if (!path) return;
+    const lengthAt = (/** @type {number} */ k) => path[STRIDE * k + STRIDE - 1];
+    const last = path.length / STRIDE - 1;
+    // At the very end the whole path is shown, and the place is not.
+    onAt(Math.min(lengthAt(Math.min(move, last)) / (lengthAt(last) || 1), 0.999999));
   }
 
   /** @param {number} seconds */

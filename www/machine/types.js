@@ -12,10 +12,10 @@
  *   seconds: { total: number, cut: number, link: number, rapid: number, shown: number },
  *   deviation: { tip_mm: number, axis_deg: number }, cutting: Cutting | null, axes: Axis[], notes: Note[] }} Report
  * @typedef {import('../types.js').Verified} Verified
- * @typedef {{ planned: Verified, posted: Verified, largest_change_mm: number, samples: number }} Kept
+ * @typedef {{ planned: Verified, posted: Verified, largest_change_mm: number, allowed_mm: number, samples: number }} Kept
  *
  * @typedef {{ body: number, part: string, corners: number[], faces: number[][] }} Solid
- * @typedef {{ solids: Solid[], labels: { letter: string, body: number, at: number[] }[], extent: number[][],
+ * @typedef {{ solids: Solid[], labels: { letter: string, body: number, at: number[] }[], hull: number[],
  *   line: { body: number, points: number[] } }} Figure
  * @typedef {{ report: Report, figure: Figure, files: { program: Blob, back: Blob, report: Blob } }} Work
  * @typedef {{ seconds: number, positions: number[], bodies: Float32Array }} Moment

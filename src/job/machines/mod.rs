@@ -29,4 +29,5 @@ pub use show::{Show, band, told};
 pub use spec::{MACHINE_VERSION, machine};
 pub use timeline::{Band, Moment, Timeline};
 
+pub use crate::machine::Machine;
 pub use crate::post::multiaxis::{Dialect, Layout};

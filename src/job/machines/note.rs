@@ -132,7 +132,15 @@ pub fn notes(posted: &Posted) -> Vec<Note> {
                 *degrees = degrees.abs();
             }
         }
-        all.extend(found.into_iter().filter(|note| note.weight() > SWING.to_degrees()));
+        found.retain(|note| note.weight() > SWING.to_degrees());
+        // An axis that swings is as fast as it can be: that need not be told twice.
+        let swings = |note: &Note| {
+            let Matter::Slowed { letter, .. } = note.matter else { return false };
+            let overlaps = |other: &Note| other.first <= note.last + 2 && note.first <= other.last + 2;
+            letter == first.letter && found.iter().any(overlaps)
+        };
+        all.retain(|note| !swings(note));
+        all.extend(found);
     }
     gather(&mut all, posted.aside.iter().map(|&k| at(Matter::Aside, k)), |_, _| {});
     all.extend(axes.iter().enumerate().filter_map(|(place, axis)| near_limit(axis, place, moves)));

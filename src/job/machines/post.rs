@@ -107,6 +107,8 @@ pub struct Posted {
     pub toolpath: Toolpath,
     /// How far what was read back is from that path.
     pub deviation: Deviation,
+    /// How closely the axes follow it at feed.
+    pub tolerance: Tolerance,
     /// The estimated time, s.
     pub times: Times,
     /// The motion of the axes.
@@ -213,5 +215,18 @@ pub fn post_program(
     let read = Program { part, unit, cutter, tool, spindle_rpm, toolpath: read };
     stage.at(1.0)?;
     let machine = machine.clone();
-    Ok(Posted { text, read, planned, toolpath, deviation, times, path, machine, kinematics, cutting, aside })
+    Ok(Posted {
+        text,
+        read,
+        planned,
+        toolpath,
+        deviation,
+        times,
+        path,
+        machine,
+        kinematics,
+        cutting,
+        aside,
+        tolerance: following.feed,
+    })
 }

@@ -17,9 +17,14 @@ pub struct Kept {
     pub posted: Verified,
     /// The largest difference between both at any sample, mm.
     pub largest_change: f64,
+    /// How much the tolerances of the program allow, mm.
+    pub allowed: f64,
     /// Samples.
     pub samples: usize,
 }
+
+/// What rounding does to excess besides the tolerances, mm: a tip of four decimals, and samples that see it.
+const ROUNDING: f64 = 1e-4;
 
 /// Cuts the shape of `spec` with what the program's text states, and with the cutter locations that it was made of, at the same samples.
 ///
@@ -39,6 +44,10 @@ pub fn prove(posted: &Posted, spec: &Spec, bytes: Option<&[u8]>, stage: &Stage) 
     let change = |(a, b): (&f64, &f64)| if a == b { 0.0 } else { (a - b).abs() };
     Ok(Kept {
         largest_change: planned.excess.iter().zip(&read.excess).map(change).fold(0.0, f64::max),
+        // The axis swings about the tip, and the contact is no farther from there than the corner's outer end.
+        allowed: posted.tolerance.chord
+            + posted.tolerance.axis * (cutter.largest_radius() + cutter.corner_radius)
+            + ROUNDING,
         samples: planned.excess.len(),
         planned: Verified::from(&planned.statistics),
         posted: Verified::from(&read.statistics),

@@ -77,6 +77,7 @@ pub fn kept_json(kept: &Kept) -> String {
         "planned": kept.planned,
         "posted": kept.posted,
         "largest_change_mm": kept.largest_change,
+        "allowed_mm": kept.allowed,
         "samples": kept.samples,
     })
     .to_string()

@@ -14,8 +14,8 @@ pub struct Show {
     figure: Figure,
     /// The tip's way over the workpiece, thinned out, workpiece frame, mm.
     line: Vec<DVec3>,
-    /// What the figure fills on its way, low and high, machine frame, mm.
-    extent: [DVec3; 2],
+    /// The farthest points of the figure on its way, machine frame, mm: what is to be seen in any picture of it.
+    hull: Vec<DVec3>,
     zero: DVec3,
 }
 
@@ -38,13 +38,13 @@ impl Show {
         let chain = Chain::new(&posted.machine, &posted.kinematics);
         let scene = Scene { tool, workpiece: [low, high], used: used(posted) };
         let figure = chain.figure(&posted.machine, &scene);
-        let extent = extent(posted, &chain, &figure);
+        let hull = hull(posted, &chain, &figure);
         let line = tips.into_iter().step_by(1 + cuts_of(posted) / MOST_POINTS).collect();
-        Self { chain, figure, line, extent, zero: posted.machine.workpiece_zero }
+        Self { chain, figure, line, hull, zero: posted.machine.workpiece_zero }
     }
 
     /// The figure as JSON: `solids` of `{body, part, corners, faces}`, `labels` of `{letter, body, at}`, and `line`, the tip's way, with
-    /// its `body`, and `extent`, what all of it fills on its way; where they are while every axis stands at 0, machine frame, mm.
+    /// its `body`, and `hull`, its farthest points on its way; where they are while every axis stands at 0, machine frame, mm.
     pub fn to_json(&self) -> String {
         let solids = self.figure.solids.iter().map(|solid| {
             json!({
@@ -61,7 +61,7 @@ impl Show {
         json!({
             "solids": solids.collect::<Vec<Value>>(),
             "labels": labels.collect::<Vec<Value>>(),
-            "extent": self.extent.map(|corner| corner.to_array().map(rounded)),
+            "hull": self.hull.iter().flat_map(|p| p.to_array()).map(rounded).collect::<Vec<_>>(),
             "line": { "body": self.chain.workpiece(), "points": line.collect::<Vec<_>>() },
         })
         .to_string()
@@ -116,20 +116,36 @@ fn used(posted: &Posted) -> [[f64; 2]; 5] {
 /// Places of the motion that are looked at for the room that the figure takes.
 const PLACES: usize = 24;
 
-/// What the figure fills on its way, low and high, machine frame, mm.
-fn extent(posted: &Posted, chain: &Chain, figure: &Figure) -> [DVec3; 2] {
+/// The farthest points of the figure on its way in directions all around, machine frame, mm.
+fn hull(posted: &Posted, chain: &Chain, figure: &Figure) -> Vec<DVec3> {
+    let around = [-1.0, -0.5, 0.0, 0.5, 1.0];
+    let mut farthest: Vec<(DVec3, f64, DVec3)> = Vec::new();
+    for direction in around.iter().flat_map(|x| around.iter().map(move |y| (*x, *y))).flat_map(|(x, y)| {
+        [
+            DVec3::new(x, y, 1.0),
+            DVec3::new(x, y, -1.0),
+            DVec3::new(x, 1.0, y),
+            DVec3::new(x, -1.0, y),
+            DVec3::new(1.0, x, y),
+            DVec3::new(-1.0, x, y),
+        ]
+    }) {
+        farthest.push((direction, f64::NEG_INFINITY, DVec3::ZERO));
+    }
     let cuts: Vec<_> = posted.path.moves.iter().filter(|step| step.role == Role::Cut).collect();
-    let mut extent = [DVec3::INFINITY, DVec3::NEG_INFINITY];
     for step in cuts.iter().step_by(1 + cuts.len() / PLACES) {
         let bodies = chain.bodies(&step.at);
-        for solid in &figure.solids {
-            for corner in &solid.corners {
-                let at = bodies[solid.body].transform_point3(*corner);
-                extent = [extent[0].min(at), extent[1].max(at)];
+        let corners = figure.solids.iter().flat_map(|solid| solid.corners.iter().map(|at| (solid.body, at)));
+        for at in corners.map(|(body, at)| bodies[body].transform_point3(*at)) {
+            for (direction, most, point) in &mut farthest {
+                let out = direction.dot(at);
+                if out > *most {
+                    (*most, *point) = (out, at);
+                }
             }
         }
     }
-    if extent[0].x > extent[1].x { [DVec3::NEG_ONE, DVec3::ONE] } else { extent }
+    farthest.into_iter().map(|(_, _, point)| point).collect()
 }
 
 fn cuts_of(posted: &Posted) -> usize {
