@@ -21,16 +21,15 @@ const STAND_OUT: f64 = 0.293;
 impl Holder {
     /// A holder of the given stick-out, diameter and height, mm, for `cutter`.
     ///
-    /// Errors name the parameter: numbers that are not above 0, a holder below the end of the cutting side.
+    /// Errors name the parameter: a diameter or a height that is not above 0, a stick-out that is less than the cutting height.
     pub fn new(stickout: f64, diameter: f64, height: f64, cutter: &Cutter) -> Result<Self, CutterError> {
-        for (field, value) in [("stickout", stickout), ("diameter", diameter), ("height", height)] {
-            if !(value > 0.0 && value.is_finite()) {
-                return Err(CutterError { field, message: "must be above 0 mm".into() });
-            }
+        let err = |field, message| Err(CutterError { field, message });
+        if !(diameter > 0.0 && height > 0.0) {
+            return err("diameter", "and height must be above 0 mm".into());
         }
-        if stickout < cutter.height {
-            let message = format!("must be at least {} mm, the cutting height of the cutter", cutter.height);
-            return Err(CutterError { field: "stickout", message });
+        if stickout.is_nan() || stickout < cutter.height {
+            let least = cutter.height;
+            return err("stickout", format!("must be at least {least} mm, the cutting height of the cutter"));
         }
         Ok(Self { stickout, diameter, height })
     }

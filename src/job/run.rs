@@ -218,21 +218,20 @@ fn on_face(
     let obstacle = FaceObstacle::for_cutter(face, cutter);
     let outline = Outline::new(cutter, holder.as_ref());
     let refuge = Refuge::around(obstacle.bounds(), &outline, &how);
-    // Larger by what the cutter moves between two looks, to either side of them.
-    let stout = |solid: &Cutter| Cutter { corner_radius: solid.corner_radius + 0.5 * LOOK, ..*solid };
     let held = holder.map(|holder| holder.solid());
-    let holder_clears = |cl: &ClPoint, solid: &Cutter, up: f64| {
-        obstacle.clears(solid, &ClPoint { tip: cl.tip + up * cl.axis, axis: cl.axis })
-    };
+    // Larger by `more`, to either side of it.
+    let holder_clears =
+        |cl: &ClPoint, more: f64| held.is_none_or(|(solid, up)| face_clears(&obstacle, &solid, more, cl, up));
+    // What the cutter moves between two looks.
+    let more = 0.5 * LOOK;
     let is_clear = |cl: &ClPoint| {
-        obstacle.clears(&stout(cutter), cl)
-            && held.is_none_or(|(solid, up)| holder_clears(cl, &stout(&solid), up))
+        face_clears(&obstacle, cutter, more, cl, 0.0)
+            && holder_clears(cl, more)
             && how.fixture.is_none_or(|height| outline.lowest(cl) > height)
     };
     let linked =
         strategy::link(&planned.passes, &how, &refuge, &is_clear, &stage.part("Joining passes", 0.95, 1.0))?;
-    let clears = |cl: &ClPoint| held.is_none_or(|(solid, up)| holder_clears(cl, &solid, up));
-    warnings.extend(met(&linked, &how, &outline, &clears));
+    warnings.extend(met(&linked, &how, &outline, &|cl: &ClPoint| holder_clears(cl, 0.0)));
     Ok((planned, linked))
 }
 
@@ -283,11 +282,10 @@ fn on_mesh(
     let top = mesh.bounds().map_or(0.0, |(_, high)| high.z);
     let (lowered, under) = (DropMesh::new(mesh), Underside::new(cutter));
     let held = holder.map(|holder| holder.solid()).map(|(solid, up)| (Underside::new(&solid), up));
-    let holder_clears = |cl: &ClPoint, less: f64| {
-        held.is_none_or(|(under, up)| !is_in_mesh(&lowered, &under, cl.tip + DVec3::Z * (up - less)))
-    };
+    let holder_clears =
+        |cl: &ClPoint, less: f64| held.is_none_or(|(under, up)| mesh_clears(&lowered, &under, cl, up - less));
     let is_clear = |cl: &ClPoint| {
-        !is_in_mesh(&lowered, &under, cl.tip - DVec3::Z * LOOK)
+        mesh_clears(&lowered, &under, cl, -LOOK)
             && holder_clears(cl, LOOK)
             && how.fixture.is_none_or(|height| outline.lowest(cl) > height)
     };
@@ -296,6 +294,19 @@ fn on_mesh(
     warnings.extend(met(&linked, &how, &outline, &|cl: &ClPoint| holder_clears(cl, 0.0)));
     let (unreached, unseen) = (raster.unreached, raster.unseen);
     Ok((Planned { passes, unreached, unseen, largest_fit: None }, linked))
+}
+
+/// Whether a solid, larger by `more` and `up` mm above the tip, clears a face. Asked in many places, and large where it is inlined.
+#[inline(never)]
+fn face_clears(obstacle: &FaceObstacle, solid: &Cutter, more: f64, cl: &ClPoint, up: f64) -> bool {
+    let stout = Cutter { corner_radius: solid.corner_radius + more, ..*solid };
+    obstacle.clears(&stout, &ClPoint { tip: cl.tip + up * cl.axis, axis: cl.axis })
+}
+
+/// Whether what is under an upright cutter, `up` mm above its tip, clears a mesh. Likewise.
+#[inline(never)]
+fn mesh_clears(mesh: &DropMesh, under: &Underside, cl: &ClPoint, up: f64) -> bool {
+    !is_in_mesh(mesh, under, cl.tip + DVec3::Z * up)
 }
 
 /// Passes in the order in which they are cut, turned where that may be.

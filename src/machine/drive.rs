@@ -92,7 +92,9 @@ impl Driver<'_> {
             Rate::Feed(_) => (self.how.feed, self.how.pole),
         };
         let (kinematics, control, step_angle) = (self.kinematics, self.how.control, self.how.rotary_step);
-        let follower = Follower { kinematics, control, tolerance, pole, step: step_angle, keeps_axis };
+        let largest_turn = self.how.largest_turn;
+        let follower =
+            Follower { kinematics, control, tolerance, pole, largest_turn, step: step_angle, keeps_axis };
         let mut room = std::mem::take(&mut self.room);
         if !follower.follow([&last.to, &step.to], [last.at, end], &mut room) {
             return Err(MotionError::Jump { index: source, point: step.to.tip });

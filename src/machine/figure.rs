@@ -155,7 +155,9 @@ impl Drawing<'_> {
         self.beam(body, part, [carriage - 0.2 * size * along, carriage + 0.2 * size * along], 0.26 * size);
         let rail = carriage + 0.18 * size * out;
         self.beam(joint.parent, Part::Rail, [rail + low * along, rail + high * along], 0.12 * size);
-        self.label(joint, joint.parent, rail + high * along);
+        // At the nearer end, where nothing else is.
+        let end = if along.dot(self.behind(self.up)) > 0.5 { low } else { high };
+        self.label(joint, joint.parent, rail + end * along);
         // What carries the rail holds it in the middle of what is used of it.
         rail + 0.5 * (low + high) * along
     }
@@ -186,7 +188,7 @@ impl Drawing<'_> {
         self.drum(body, Part::Drum, [middle - half * sense, middle + half * sense], radius);
         let end = middle + (half + 0.16 * size) * sense;
         self.drum(joint.parent, part, [middle + half * sense, end], 0.8 * radius.min(0.6 * size));
-        self.label(joint, body, middle);
+        self.label(joint, joint.parent, if is_table { middle } else { end });
         end
     }
 

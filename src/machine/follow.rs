@@ -37,6 +37,8 @@ pub(super) struct Follower<'a> {
     pub(super) tolerance: Tolerance,
     /// The tolerance of the axis within this angle of the pole, radians, if it is the larger one.
     pub(super) pole: f64,
+    /// The largest turn of an axis in one piece, radians, if it is the smaller one.
+    pub(super) largest_turn: f64,
     /// The step of rotary angles, radians.
     pub(super) step: f64,
     /// Whether the axis matters; it does not where the tool is turned over in the clear.
@@ -109,11 +111,12 @@ impl Follower<'_> {
                 None => Halved::Never,
             };
         }
-        if self.control == Control::Tip {
+        let largest = LARGEST_TURN.min(self.largest_turn.max(self.step));
+        if self.control == Control::Tip && turn <= largest {
             return Halved::Keeps;
         }
         let [a, b] = [begin, end].map(|place| from.tip.lerp(to.tip, place.share));
-        if turn > LARGEST_TURN || bow(pose.tip, [a, b]) > (1.0 - turn) * self.tolerance.chord {
+        if turn > largest || bow(pose.tip, [a, b]) > (1.0 - turn) * self.tolerance.chord {
             return self.place(share, &middle, half.rotary);
         }
         Halved::Keeps

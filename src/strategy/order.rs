@@ -53,16 +53,14 @@ pub enum Side {
     Right,
 }
 
-/// `passes`, none of them turned, each followed by the nearest one beside it, and begun from that of both ends from which the next pass more
-/// often lies on the `side` of the one before.
+/// `passes`, none of them turned, each followed by the nearest one beside it; begun with the first, or with the last if the next pass then
+/// lies more often on the `side` of the one before.
 pub fn one_sided(passes: Vec<Pass>, side: Side) -> Vec<Pass> {
-    let from = |first: usize| {
-        let order = beside(&passes, first);
-        let lies = |pair: &&[usize]| is_on(&passes[pair[0]], &passes[pair[1]], side);
-        (order.windows(2).filter(lies).count(), order)
-    };
-    let (there, back) = (from(0), from(passes.len().saturating_sub(1)));
-    let (_, order) = if back.0 > there.0 { back } else { there };
+    let mut order = beside(&passes, 0);
+    let on_side = order.windows(2).filter(|pair| is_on(&passes[pair[0]], &passes[pair[1]], side)).count();
+    if 2 * on_side + 1 < order.len() {
+        order = beside(&passes, passes.len() - 1);
+    }
     let mut open: Vec<Option<Pass>> = passes.into_iter().map(Some).collect();
     order.into_iter().filter_map(|i| open[i].take()).collect()
 }

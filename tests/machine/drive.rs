@@ -285,10 +285,27 @@ proptest! {
     fn any_path_is_followed_or_refused(poses in prop::collection::vec(any_lean(), 2..8)) {
         let path = path(poses.into_iter().map(|pose| (pose, CUT)));
         for (name, kinematics) in five_axis() {
-            let how = Following::new(Control::Axes);
-            match drive(&kinematics, &path, &[], &how) {
-                Ok(axes) => assert_follows(&kinematics, &path, &axes, &how),
-                Err(e) => prop_assert!(matches!(e, MotionError::NoTurn { .. }), "{name}: {e}"),
+            for (control, largest_turn) in
+                [(Control::Axes, 5.0f64), (Control::Axes, 0.7), (Control::Tip, 5.0), (Control::Tip, 0.7)]
+            {
+                let largest_turn = largest_turn.to_radians();
+                let how = Following { largest_turn, ..Following::new(control) };
+                let axes = match drive(&kinematics, &path, &[], &how) {
+                    Ok(axes) => axes,
+                    Err(e) => {
+                        prop_assert!(matches!(e, MotionError::NoTurn { .. }), "{name}: {e}");
+                        continue;
+                    }
+                };
+                if control == Control::Axes {
+                    assert_follows(&kinematics, &path, &axes, &how);
+                }
+                for pair in axes.moves.windows(2) {
+                    for k in [0, 1] {
+                        let jump = (pair[1].at.rotary[k] - pair[0].at.rotary[k]).abs();
+                        prop_assert!(jump <= largest_turn + how.rotary_step, "{name}: a jump of {jump}");
+                    }
+                }
             }
         }
     }

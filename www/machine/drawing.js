@@ -128,7 +128,7 @@ function paint(canvas, figure, moment, yaw, pitch) {
   const drawLine = () => {
     isLineDrawn = true;
     pen.strokeStyle = color('line');
-    pen.lineWidth = 1.2 * ratio;
+    pen.lineWidth = 0.7 * ratio;
     pen.beginPath();
     for (const [x, y] of line) pen.lineTo(x, y);
     pen.stroke();
@@ -164,6 +164,9 @@ function paint(canvas, figure, moment, yaw, pitch) {
     pen.arc(x, y, 8.5 * ratio, 0, 2 * Math.PI);
     pen.fillStyle = color('label');
     pen.fill();
+    pen.strokeStyle = color('edge');
+    pen.lineWidth = ratio;
+    pen.stroke();
     pen.fillStyle = color('letter');
     pen.fillText(letter, x, y + 0.5 * ratio);
   }

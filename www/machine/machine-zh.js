@@ -2,8 +2,8 @@
 export default {
   machine: '机床',
   own: '自有文件：{name}',
-  'open.own': '打开机床文件…',
-  'save.machine': '保存其文件',
+  'open.own': '打开文件…',
+  'save.machine': '保存文件',
   'save.machine.hint': '以便填入您自己机床的数据',
   write: '生成程序',
   again: '重新生成',
@@ -44,6 +44,7 @@ export default {
   'field.holding.turn_z_deg': '再绕 z 转',
   'field.following.chord_mm': '刀尖偏离直线',
   'field.following.axis_deg': '刀轴偏差',
+  'field.following.turn_deg': '每段最大转角',
   'field.following.pole': '奇异点处',
   'field.following.pole_deg': '范围',
   'field.cutting.speeds': '转速与进给',

@@ -58,8 +58,8 @@ pub struct Note {
 const HELD: f64 = 0.95;
 /// The share of an axis' way that counts as near to its limits.
 const NEAR: f64 = 0.01;
-/// A turn in the pole of less than this is none, radians.
-const SWING: f64 = 0.35;
+/// A turn in the pole of no more than this is none, degrees.
+const SWING: f64 = 20.0;
 /// How near to the pole counts as passing it, the length of a cross product.
 const AT_POLE: f64 = 0.02;
 /// Moves of one matter that are this near are one place.
@@ -101,48 +101,24 @@ impl Note {
 pub fn notes(posted: &Posted) -> Vec<Note> {
     let moves = &posted.path.moves;
     let axes = posted.kinematics.axes();
-    let mut all = Vec::new();
-    let slowed = moves.windows(2).filter_map(|pair| slowed(posted, pair));
-    gather(&mut all, slowed, |a, b| match (&mut a.matter, b.matter) {
-        (Matter::Slowed { letter, share }, Matter::Slowed { letter: other, share: least }) => {
-            if least < *share {
-                (*letter, *share) = (other, least);
-            }
+    let swings = swings(posted);
+    // An axis that swings is as fast as it can be: that need not be told twice.
+    let is_told = |note: &Note| {
+        let near = |other: &Note| other.first <= note.last + 2 && note.first <= other.last + 2;
+        matches!(note.matter, Matter::Slowed { letter, .. } if letter == axes[3].letter)
+            && swings.iter().any(near)
+    };
+    let mut all = gathered(moves.windows(2).filter_map(|pair| slowed(posted, pair)), |a, b| {
+        if b.weight() > a.weight() {
+            a.matter = b.matter;
         }
-        _ => {}
     });
+    all.retain(|note| swings.is_empty() || !is_told(note));
+    all.extend(swings.iter().copied());
     let drawn_back =
         moves.iter().filter(|step| step.turns_over).map(|step| at(Matter::TurnedOver, step.source));
-    gather(&mut all, drawn_back, |_, _| {});
-    if let (Some(first), Some(pole)) = (axes.get(3), posted.kinematics.pole()) {
-        let swings = moves.windows(2).filter_map(|pair| {
-            let near = pair[1].to.axis.cross(pole).length() < AT_POLE && pair[1].role == Role::Cut;
-            let turn = pair[1].at.rotary[0] - pair[0].at.rotary[0];
-            near.then(|| {
-                at(Matter::Pole { letter: first.letter, degrees: turn.to_degrees() }, pair[1].source)
-            })
-        });
-        let mut found = Vec::new();
-        gather(&mut found, swings, |a, b| match (&mut a.matter, b.matter) {
-            (Matter::Pole { degrees, .. }, Matter::Pole { degrees: more, .. }) => *degrees += more,
-            _ => {}
-        });
-        for note in &mut found {
-            if let Matter::Pole { degrees, .. } = &mut note.matter {
-                *degrees = degrees.abs();
-            }
-        }
-        found.retain(|note| note.weight() > SWING.to_degrees());
-        // An axis that swings is as fast as it can be: that need not be told twice.
-        let swings = |note: &Note| {
-            let Matter::Slowed { letter, .. } = note.matter else { return false };
-            let overlaps = |other: &Note| other.first <= note.last + 2 && note.first <= other.last + 2;
-            letter == first.letter && found.iter().any(overlaps)
-        };
-        all.retain(|note| !swings(note));
-        all.extend(found);
-    }
-    gather(&mut all, posted.aside.iter().map(|&k| at(Matter::Aside, k)), |_, _| {});
+    all.extend(gathered(drawn_back, |_, _| {}));
+    all.extend(gathered(posted.aside.iter().map(|&k| at(Matter::Aside, k)), |_, _| {}));
     all.extend(axes.iter().enumerate().filter_map(|(place, axis)| near_limit(axis, place, moves)));
     if let Some(cutting) = posted.cutting.filter(|cutting| cutting.least <= 0.0) {
         let (lead, needed) = (cutting.least_lead.to_degrees(), cutting.clearing_lead.to_degrees());
@@ -151,6 +127,31 @@ pub fn notes(posted: &Posted) -> Vec<Note> {
     all = worst(all);
     all.sort_by_key(|note| note.first);
     all
+}
+
+/// Where cuts pass the pole, and the axis that is free there swings round.
+fn swings(posted: &Posted) -> Vec<Note> {
+    let Some((axis, pole)) = posted.kinematics.axes().get(3).zip(posted.kinematics.pole()) else {
+        return Vec::new();
+    };
+    let turn = |pair: &[AxisMove]| {
+        let near = pair[1].to.axis.cross(pole).length() < AT_POLE && pair[1].role == Role::Cut;
+        let degrees = (pair[1].at.rotary[0] - pair[0].at.rotary[0]).to_degrees();
+        near.then(|| at(Matter::Pole { letter: axis.letter, degrees }, pair[1].source))
+    };
+    let mut found = gathered(posted.path.moves.windows(2).filter_map(turn), |a, b| {
+        if let (Matter::Pole { degrees, .. }, Matter::Pole { degrees: more, .. }) = (&mut a.matter, b.matter)
+        {
+            *degrees += more;
+        }
+    });
+    for note in &mut found {
+        if let Matter::Pole { degrees, .. } = &mut note.matter {
+            *degrees = degrees.abs();
+        }
+    }
+    found.retain(|note| note.weight() > SWING);
+    found
 }
 
 fn at(matter: Matter, index: usize) -> Note {
@@ -182,19 +183,19 @@ fn near_limit(axis: &Axis, place: usize, moves: &[AxisMove]) -> Option<Note> {
     (left(nearest) < NEAR * (high - low)).then(|| at(matter, nearest.source))
 }
 
-/// Appends `found`, those near to one another joined.
-fn gather(all: &mut Vec<Note>, found: impl Iterator<Item = Note>, join: impl Fn(&mut Note, &Note)) {
-    let mut last: Option<Note> = None;
+/// What was found, notes near to one another joined.
+fn gathered(found: impl Iterator<Item = Note>, join: impl Fn(&mut Note, &Note)) -> Vec<Note> {
+    let mut all: Vec<Note> = Vec::new();
     for note in found {
-        match &mut last {
+        match all.last_mut() {
             Some(open) if note.first <= open.last + TOGETHER => {
                 join(open, &note);
                 open.last = open.last.max(note.last);
             }
-            _ => all.extend(last.replace(note)),
+            _ => all.push(note),
         }
     }
-    all.extend(last);
+    all
 }
 
 /// Of every matter no more than [`MOST`] notes.

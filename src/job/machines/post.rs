@@ -43,6 +43,8 @@ pub struct PostOptions {
     pub chord_mm: f64,
     /// How far the axis may be from its own at feed, degrees, above 0.
     pub axis_deg: f64,
+    /// The most that a rotary axis turns from block to block, degrees, above 0 and at most 5.
+    pub turn_deg: f64,
     /// Whether coolant is switched on.
     pub coolant: bool,
     /// Numbers and lines.
@@ -65,6 +67,7 @@ impl PostOptions {
             tool_length_mm: None,
             chord_mm: 1e-3,
             axis_deg: 0.005,
+            turn_deg: 5.0,
             coolant: true,
             layout: Layout::default(),
             placement: Placement::default(),
@@ -81,6 +84,7 @@ impl PostOptions {
         };
         positive("following.chord_mm", self.chord_mm, 1.0, " mm")?;
         positive("following.axis_deg", self.axis_deg, 5.0, "°")?;
+        positive("following.turn_deg", self.turn_deg, 5.0, "°")?;
         let pole = match self.pole {
             Pole::Insert => 0.0,
             Pole::Deviate { degrees } | Pole::Aside { degrees } => {
@@ -90,7 +94,8 @@ impl PostOptions {
         };
         let feed = Tolerance { chord: self.chord_mm, axis: self.axis_deg.to_radians() };
         let defaults = Following::new(self.dialect.control());
-        Ok(Following { feed, pole, rotary_step: self.layout.rotary_step(), ..defaults })
+        let (largest_turn, rotary_step) = (self.turn_deg.to_radians(), self.layout.rotary_step());
+        Ok(Following { feed, pole, largest_turn, rotary_step, ..defaults })
     }
 }
 

@@ -73,6 +73,7 @@ pub const POST_GROUPS: &[Group] = &[
         fields: &[
             number("chord_mm", "mm", [1e-5, 1.0], 0.001, 0.001),
             number("axis_deg", "°", [1e-4, 5.0], 0.005, 0.005),
+            number("turn_deg", "°", [0.1, 5.0], 0.5, 5.0),
             choice("pole", &["insert", "deviate", "aside"], "insert"),
             number("pole_deg", "°", [0.01, 5.0], 0.05, 0.2).when("pole", &["deviate", "aside"]),
         ],
@@ -118,6 +119,7 @@ struct HoldingSpec {
 struct FollowingSpec {
     chord_mm: f64,
     axis_deg: f64,
+    turn_deg: f64,
     pole: String,
     pole_deg: f64,
 }
@@ -162,6 +164,7 @@ impl PostOptions {
             tool_length_mm: (holding.tool == "given").then_some(holding.tool_length_mm),
             chord_mm: following.chord_mm,
             axis_deg: following.axis_deg,
+            turn_deg: following.turn_deg,
             coolant: program.coolant,
             layout: Layout {
                 linear: decimals,

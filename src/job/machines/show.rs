@@ -20,7 +20,7 @@ pub struct Show {
 }
 
 /// Points of the tip's way that are drawn: more than a small picture shows.
-const MOST_POINTS: usize = 900;
+const MOST_POINTS: usize = 700;
 
 impl Show {
     /// Of what was written.

@@ -52,11 +52,6 @@ impl Timeline {
         self.ends.last().map_or(0.0, |end| end[0])
     }
 
-    /// Share of the time at which each move of the axes ends.
-    pub fn ends(&self) -> impl Iterator<Item = f64> + '_ {
-        self.ends.iter().map(|end| end[0])
-    }
-
     /// When a share of the toolpath's length is done. Where the machine turns its tool without getting on, that is the end of it.
     pub fn at_share(&self, share: f64) -> Moment {
         self.moment(1, share.clamp(0.0, 1.0) * self.ends.last().map_or(0.0, |end| end[1]))
