@@ -2,6 +2,12 @@
 export default {
   machine: 'Machine',
   own: 'Own file: {name}',
+  'name.table_table_ac': 'Trunnion table, A and C',
+  'name.table_table_bc': 'Rotary table on a cradle, B and C',
+  'name.head_table_bc': 'Tilting head B, rotary table C',
+  'name.head_head_ab': 'Gantry with a fork head, A and B',
+  'name.head_head_ac': 'Gantry with a swivel head, C and A',
+  'name.three_axis': 'Router, three axes',
   'open.own': 'Open file…',
   'save.machine': 'Save file',
   'save.machine.hint': 'to put in the numbers of your own',

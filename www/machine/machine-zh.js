@@ -2,6 +2,12 @@
 export default {
   machine: '机床',
   own: '自有文件：{name}',
+  'name.table_table_ac': '摇篮转台 A、C',
+  'name.table_table_bc': '摇篮转台 B、C',
+  'name.head_table_bc': '摆头 B，转台 C',
+  'name.head_head_ab': '龙门叉形双摆头 A、B',
+  'name.head_head_ac': '龙门双摆头 C、A',
+  'name.three_axis': '三轴雕铣机',
   'open.own': '打开文件…',
   'save.machine': '保存文件',
   'save.machine.hint': '以便填入您自己机床的数据',

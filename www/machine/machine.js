@@ -170,7 +170,9 @@ export function createMachine({ panel, drawing }, { onAt }) {
 
   function render() {
     const { job, work, outcome, madeOf, machines, chosen } = state;
-    const names = machines.map(({ id, name }) => (id === OWN ? t('own', { name }) : name));
+    const names = machines.map(({ id, name }) =>
+      id === OWN ? t('own', { name }) : t(`name.${id}`, {}, name),
+    );
     if (
       machine.options.length !== machines.length ||
       names.some((name, k) => machine.options[k].text !== name)
