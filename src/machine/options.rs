@@ -49,7 +49,7 @@ impl Following {
             feed: Tolerance { chord: 1e-3, axis: 0.005f64.to_radians() },
             rapid: Tolerance { chord: 0.05, axis: 0.5f64.to_radians() },
             pole: 0.0,
-            largest_turn: 5f64.to_radians(),
+            largest_turn: 5.7f64.to_radians(),
             rotary_step: 1e-4f64.to_radians(),
             clearance: 50.0,
         }

@@ -43,7 +43,7 @@ pub struct PostOptions {
     pub chord_mm: f64,
     /// How far the axis may be from its own at feed, degrees, above 0.
     pub axis_deg: f64,
-    /// The most that a rotary axis turns from block to block, degrees, above 0 and at most 5.
+    /// The most that a rotary axis turns from block to block, degrees, above 0 and at most 5.7.
     pub turn_deg: f64,
     /// Whether coolant is switched on.
     pub coolant: bool,
@@ -67,7 +67,7 @@ impl PostOptions {
             tool_length_mm: None,
             chord_mm: 1e-3,
             axis_deg: 0.005,
-            turn_deg: 5.0,
+            turn_deg: 5.7,
             coolant: true,
             layout: Layout::default(),
             placement: Placement::default(),
@@ -84,7 +84,7 @@ impl PostOptions {
         };
         positive("following.chord_mm", self.chord_mm, 1.0, " mm")?;
         positive("following.axis_deg", self.axis_deg, 5.0, "°")?;
-        positive("following.turn_deg", self.turn_deg, 5.0, "°")?;
+        positive("following.turn_deg", self.turn_deg, 5.7, "°")?;
         let pole = match self.pole {
             Pole::Insert => 0.0,
             Pole::Deviate { degrees } | Pole::Aside { degrees } => {
