@@ -2,43 +2,31 @@
  * Wires machines: choice, settings, program, proof, plots and the machine that moves with the playhead.
  *
  * @import { State } from './types.js'
- * @import { Problem, State as PageState } from '../types.js'
+ * @import { State as PageState } from '../types.js'
  */
 import './machine.css';
 import { bytes } from '../format.js';
 import { Cancelled, createPlanner, PlannerError } from '../protocol.js';
 import { fieldsOf, read, write } from '../spec.js';
-import { h, icon, say } from '../view/dom.js';
-import { save, stem } from '../view/downloads.js';
+import { h, say } from '../view/dom.js';
+import { save } from '../view/downloads.js';
 import moduleAddress from '../wasm/machines_bg.wasm?url';
 import { createDrawing } from './drawing.js';
 import { createFigures } from './figures.js';
 import { createForm, faultText } from './form.js';
+import { completed, OWN, recall, remember } from './keeping.js';
 import { createNotes } from './notes.js';
 import { createPlots } from './plots.js';
+import { createProblem } from './problem.js';
+import { createSaving } from './saving.js';
 import { t } from './text.js';
 
-/** What is chosen is kept under this name in the browser. */
-const KEY = 'machine';
-const OWN = 'own';
 /** Numbers a point of a path, the length so far being the last. */
 const STRIDE = 8;
 /** A machine's file is a page of text. */
 const LARGEST_FILE = 1e6;
 /** Share of the progress that writing has; the rest is the proof's. */
 const WRITING = 0.4;
-/** @type {Record<string, string>} */
-const ENDINGS = {
-  linuxcnc: 'ngc',
-  grbl: 'nc',
-  fanuc: 'nc',
-  fanuc_tip: 'nc',
-  haas: 'nc',
-  siemens: 'mpf',
-  siemens_vector: 'mpf',
-  heidenhain: 'h',
-};
-
 async function compile() {
   const response = await fetch(moduleAddress);
   if (!response.ok) throw new Error(`${response.status} ${response.statusText}`);
@@ -160,6 +148,8 @@ export function createMachine({ panel, drawing }, { onAt }) {
     createNotes(notes, { onMove: goTo }),
     createPlots(plots, { onSeconds: goToSeconds, ask: (...args) => ask('bands', [axes(), ...args]) }),
     createDrawing(drawing),
+    createProblem(problem, { onMove: goTo }),
+    createSaving(saving),
   ];
 
   /** @param {Partial<State>} change */
@@ -194,74 +184,19 @@ export function createMachine({ panel, drawing }, { onAt }) {
     const isPreview = outcome !== null && !outcome.files;
     stale.hidden = !(isPreview || (work !== null && madeOf !== outcome?.path));
     say(stale, t(isPreview ? 'none' : 'stale'));
-    showProblem();
     for (const view of views) view.update(state);
-    showSaving();
-  }
-
-  /** @type {Problem | null | undefined} */
-  let told;
-  function showProblem() {
-    if (told === state.problem) return;
-    told = state.problem;
-    const found = state.problem;
-    problem.replaceChildren();
-    if (!found) return;
-    const name = found.field && !read(state.options, found.field) ? `${found.field}: ` : '';
-    problem.append(h('p', { class: 'message' }, `${name}${found.message}`));
-    // Motion that cannot be names the move.
-    const move = /\bmoves? (\d+)/.exec(found.message);
-    if (move && state.outcome) {
-      problem.append(
-        h(
-          'button',
-          { type: 'button', class: 'small', name: 'machine-place', onclick: () => goTo(Number(move[1])) },
-          t('place'),
-        ),
-      );
-    }
-  }
-
-  /** @type {unknown} */
-  let saved;
-  function showSaving() {
-    const { work, planned, dialect: written } = state;
-    saving.hidden = !work;
-    if (!work || !planned || saved === work) return;
-    saved = work;
-    const name = stem(planned);
-    const items = /** @type {const} */ ([
-      ['program', ENDINGS[written] ?? 'nc'],
-      ['back', 'read-back.apt'],
-      ['report', 'machine.json'],
-    ]);
-    saving.replaceChildren(
-      ...items.map(([id, ending]) =>
-        h(
-          'button',
-          {
-            type: 'button',
-            'data-machine-save': id,
-            onclick: () => save(work.files[id], `${name}.${ending}`),
-          },
-          icon('save'),
-          h('span', {}, t(`save.${id}`)),
-          h('small', {}, `.${ending}, ${bytes(work.files[id].size)}`),
-        ),
-      ),
-    );
   }
 
   /** @param {any} options */
   function edit(options) {
     set({ options, problem: null });
-    remember();
+    remember(state);
   }
 
   /** @param {string} id */
   function choose(id) {
     set({ chosen: id, problem: null });
-    remember();
+    remember(state);
   }
 
   function chosen() {
@@ -278,7 +213,7 @@ export function createMachine({ panel, drawing }, { onAt }) {
       const name = await ask('name', [text]);
       const others = state.machines.filter(({ id }) => id !== OWN);
       set({ machines: [...others, { id: OWN, name, text }], chosen: OWN, problem: null });
-      remember();
+      remember(state);
     } catch (error) {
       fail(error, `${opened.name}: `);
     }
@@ -404,15 +339,6 @@ export function createMachine({ panel, drawing }, { onAt }) {
     }
   }
 
-  function remember() {
-    const own = state.machines.find(({ id }) => id === OWN);
-    try {
-      localStorage.setItem(KEY, JSON.stringify({ chosen: state.chosen, options: state.options, own }));
-    } catch {
-      // Where nothing may be stored it is chosen anew.
-    }
-  }
-
   async function start() {
     try {
       const { schema, machines } = await planner.call('start', []);
@@ -440,26 +366,4 @@ export function createMachine({ panel, drawing }, { onAt }) {
       if (isMoved) showMoment();
     },
   };
-}
-
-/** The settings with the defaults of what they leave out. @param {import('../types.js').Schema} schema @param {any} options */
-function completed(schema, options) {
-  let all = options;
-  for (const group of schema.groups) {
-    for (const field of group.fields ?? []) {
-      const path = `${group.path}.${field.name}`;
-      if (read(all, path) === undefined) all = write(all, path, field.default);
-    }
-  }
-  return all;
-}
-
-/** What was chosen when the page was last used. @returns {{ chosen?: string, options?: any, own?: import('./types.js').Machine }} */
-function recall() {
-  try {
-    const found = JSON.parse(localStorage.getItem(KEY) ?? '{}');
-    return typeof found === 'object' && found !== null ? found : {};
-  } catch {
-    return {};
-  }
 }

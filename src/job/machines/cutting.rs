@@ -112,76 +112,79 @@ pub fn clearing_lead(cutter: &Cutter, depth: f64) -> f64 {
     high
 }
 
-/// What the cutter gets at its `contacts`, and, with a `choice`, spindle and feed for it: written into `path` and `rpm`.
+/// The leads at the contacts of cuts, each with its move.
+fn leads<'a>(path: &'a Toolpath, contacts: &'a [Option<Contact>]) -> impl Iterator<Item = (usize, f64)> + 'a {
+    let moves = path.moves.iter().zip(contacts).enumerate();
+    let cuts = moves.filter(|(_, (step, _))| step.role == Role::Cut);
+    cuts.filter_map(|(index, (_, contact))| Some((index, contact.as_ref()?.lead)))
+}
+
+/// Chooses spindle and feed for the cuts of `path`, and writes them into `path` and `rpm`.
 ///
-/// The spindle turns so that the largest effective diameter runs at the material's greatest surface speed, as far as the spindle can;
-/// cuts are fed by teeth and speed. `depth` is what the cutter takes off, mm. Nothing without contacts or without a spindle speed.
+/// The spindle turns so that the largest effective diameter runs at the material's greatest surface speed, as far as the spindle can; cuts
+/// are fed by teeth and speed.
 ///
-/// Errors: a choice without contacts.
+/// Errors: contacts that are not known, or that all stand still.
 pub(super) fn choose(
     path: &mut Toolpath,
     cutter: &Cutter,
     rpm: &mut Option<f64>,
     contacts: &[Option<Contact>],
-    choice: Option<&Choice>,
-    depth: f64,
-) -> Result<Option<Cutting>, JobError> {
-    let is_cut = |index: usize| path.moves[index].role == Role::Cut;
-    let touching =
-        || contacts.iter().enumerate().filter_map(|(k, c)| c.filter(|_| is_cut(k)).map(|c| (k, c)));
-    let diameters = || touching().map(|(_, contact)| at_contact(cutter, contact.lead));
-    let widest = diameters().fold(0.0, f64::max);
-    if let Some(Choice { material, teeth, most_rpm }) = choice {
-        if widest <= 0.0 {
-            let why = "needs the contacts of the path, and cuts that are not all at zero speed";
-            return Err(JobError::field("cutting.material", why.into()));
-        }
-        let turned = (1000.0 * material.surface_speed[1] / (PI * widest)).min(*most_rpm);
-        // To ten a minute and to a millimetre a minute: nobody sets more.
-        let turned = (10.0 * (turned / 10.0).floor()).max(1.0);
-        let feed = (teeth * material.feed_per_tooth * cutter.diameter * turned).round().max(1.0);
-        *rpm = Some(turned);
-        for step in path.moves.iter_mut().filter(|step| step.role == Role::Cut) {
-            if let Rate::Feed(asked) = &mut step.rate {
-                *asked = feed;
-            }
-        }
-        return Ok(Some(looked_at(cutter, turned, contacts, path, depth, Some((feed, *teeth)))));
+    choice: &Choice,
+) -> Result<(), JobError> {
+    let &Choice { material, most_rpm, .. } = choice;
+    let widest = leads(path, contacts).map(|(_, lead)| at_contact(cutter, lead)).fold(0.0, f64::max);
+    if widest <= 0.0 {
+        let why =
+            "takes the table of the path's contacts (path.csv), and cuts that are not all at zero speed";
+        return Err(JobError::field("cutting.material", why.into()));
     }
-    let Some(turned) = rpm.filter(|_| widest > 0.0 || touching().next().is_some()) else { return Ok(None) };
-    Ok(Some(looked_at(cutter, turned, contacts, path, depth, None)))
+    let turned = (1000.0 * material.surface_speed[1] / (PI * widest)).min(most_rpm);
+    // To ten a minute and to a millimetre a minute: nobody sets more.
+    let turned = (10.0 * (turned / 10.0).floor()).max(1.0);
+    let feed = (choice.teeth * material.feed_per_tooth * cutter.diameter * turned).round().max(1.0);
+    *rpm = Some(turned);
+    for step in path.moves.iter_mut().filter(|step| step.role == Role::Cut) {
+        if let Rate::Feed(asked) = &mut step.rate {
+            *asked = feed;
+        }
+    }
+    Ok(())
 }
 
-fn looked_at(
+/// What the cutter gets at its `contacts` along `path`, taking off `depth` mm, with the spindle at `rpm`; nothing where no contacts of cuts
+/// are known. `choice` is what spindle and feed were chosen by.
+pub(super) fn look(
+    path: &Toolpath,
     cutter: &Cutter,
     rpm: f64,
     contacts: &[Option<Contact>],
-    path: &Toolpath,
+    choice: Option<&Choice>,
     depth: f64,
-    chosen: Option<(f64, f64)>,
-) -> Cutting {
-    let mut cutting = Cutting {
-        rpm,
-        feed: chosen.map(|(feed, _)| feed),
-        feed_per_tooth: chosen.map(|(feed, teeth)| feed / (teeth * rpm)),
-        at_contact: [f64::INFINITY, 0.0],
-        least: f64::INFINITY,
-        least_at: 0,
-        least_lead: 0.0,
-        clearing_lead: clearing_lead(cutter, depth),
-    };
-    for (index, (contact, step)) in contacts.iter().zip(&path.moves).enumerate() {
-        let Some(Contact { lead, .. }) = *contact else { continue };
-        if step.role != Role::Cut {
-            continue;
-        }
-        let [low, high] = cutting.at_contact;
+) -> Option<Cutting> {
+    let (mut low, mut high) = (f64::INFINITY, 0.0f64);
+    let mut least: Option<(f64, usize, f64)> = None;
+    for (index, lead) in leads(path, contacts) {
         let diameter = at_contact(cutter, lead);
-        cutting.at_contact = [low.min(diameter), high.max(diameter)];
-        let least = least_diameter(cutter, lead, depth);
-        if least < cutting.least {
-            (cutting.least, cutting.least_at, cutting.least_lead) = (least, index, lead);
+        (low, high) = (low.min(diameter), high.max(diameter));
+        let inner = least_diameter(cutter, lead, depth);
+        if least.is_none_or(|(before, ..)| inner < before) {
+            least = Some((inner, index, lead));
         }
     }
-    cutting
+    let (least, least_at, least_lead) = least?;
+    let feed = choice.and_then(|_| match path.moves[least_at].rate {
+        Rate::Feed(feed) => Some(feed),
+        Rate::Rapid => None,
+    });
+    Some(Cutting {
+        rpm,
+        feed,
+        feed_per_tooth: feed.zip(choice).map(|(feed, choice)| feed / (choice.teeth * rpm)),
+        at_contact: [low, high],
+        least,
+        least_at,
+        least_lead,
+        clearing_lead: clearing_lead(cutter, depth),
+    })
 }

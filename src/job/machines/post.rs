@@ -171,8 +171,11 @@ pub fn post_program(
     let planned = program.clone();
     let Program { part, unit, cutter, tool, mut spindle_rpm, mut toolpath } = program;
     let choice = options.speeds.as_ref();
-    let cutting =
-        cutting::choose(&mut toolpath, &cutter, &mut spindle_rpm, contacts, choice, options.allowance_mm)?;
+    if let Some(choice) = choice {
+        cutting::choose(&mut toolpath, &cutter, &mut spindle_rpm, contacts, choice)?;
+    }
+    let look = |rpm| cutting::look(&toolpath, &cutter, rpm, contacts, choice, options.allowance_mm);
+    let cutting = spindle_rpm.and_then(look);
     if !options.placement.is_none() {
         toolpath = options.placement.path(&toolpath);
     }
