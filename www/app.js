@@ -6,6 +6,7 @@
 
 import { createForm } from './form.js';
 import { createKeeping } from './keeping.js';
+import { createMachines } from './machine/open.js';
 import { keepOffline, update } from './offline.js';
 import { createOpener, LARGEST_FILE } from './opening.js';
 import { Cancelled, createPlanner, PlannerError } from './protocol.js';
@@ -130,6 +131,10 @@ const views = [
   createResults(place('results')),
   createContact(place('contact')),
   downloads,
+  createMachines(
+    { panel: place('machine-panel'), drawing: place('machine-drawing') },
+    { onAt: (at) => state.set({ at }) },
+  ),
   createLegend(place('legend')),
   createStepoverChart(place('chart'), {
     onClose: () => editChart({ isOpen: false }),

@@ -14,8 +14,8 @@ function service() {
       for (const name of names.filter((name) => name.endsWith('.html'))) version.update(bundle[name].source);
       const fixed = readdirSync('public').sort();
       for (const name of fixed) version.update(readFileSync(`public/${name}`));
-      // The turning page is kept when it is first used.
-      const first = [...names, ...fixed].filter((name) => !/\.(html|jpg)$|turning/.test(name));
+      // The turning page and machines are kept when they are first used.
+      const first = [...names, ...fixed].filter((name) => !/\.(html|jpg)$|turning|machine/.test(name));
       const files = ['./', ...first.map((name) => `./${name}`)];
       const source = readFileSync('service.js', 'utf8')
         .replace('__VERSION__', version.digest('hex').slice(0, 16))

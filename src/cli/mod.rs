@@ -51,6 +51,9 @@ enum Command {
         /// Those of a turning job.
         #[arg(long)]
         turning: bool,
+        /// Those of a machine's program.
+        #[arg(long, conflicts_with = "turning")]
+        machine: bool,
     },
     /// Print the jobs of the gallery as JSON, each a specification to begin with.
     Gallery,
@@ -87,8 +90,9 @@ pub fn run() -> ExitCode {
         Command::Inspect { file, json } => inspect(&file, json),
         Command::Post(post) => post.run(),
         Command::Turn(turn) => turn.run(),
-        Command::Schema { turning: false } => print(&job::schema()),
-        Command::Schema { turning: true } => print(&job::turning::schema()),
+        Command::Schema { machine: true, .. } => print(&job::machines::schema()),
+        Command::Schema { turning: true, .. } => print(&job::turning::schema()),
+        Command::Schema { .. } => print(&job::schema()),
         Command::Gallery => print(&job::gallery_json()),
         Command::Strip(strip) => strip.run(),
         Command::Stepover(stepover) => stepover.run(),

@@ -1,7 +1,11 @@
 //! `stepover post`.
 
-use super::{Failure, print, read_text};
-use crate::job::machines::{self, Dialect, Layout, PostOptions, Posted};
+use super::plan::load;
+use super::progress::Terminal;
+use super::{Failure, print, read_text, workers};
+use crate::job::machines::{self, Cutting, Dialect, Kept, Layout, PostOptions, Posted};
+use crate::job::{JobError, Verified};
+use crate::monitor::Stage;
 use clap::Args;
 use std::path::{Path, PathBuf};
 
@@ -16,6 +20,16 @@ pub(super) struct Post {
     /// or grbl.
     #[arg(long)]
     dialect: String,
+    /// The table that was written with the cutter locations (path.csv): where the cutter touches. The feed is then that of the contact,
+    /// and cutting speeds are known.
+    #[arg(long)]
+    contacts: Option<PathBuf>,
+    /// Settings, JSON, as `stepover schema --machine` lists them; what stands on the command line goes before them.
+    #[arg(long)]
+    settings: Option<PathBuf>,
+    /// The job that the path was planned for: its shape is cut as planned and as posted, and the difference told.
+    #[arg(long)]
+    spec: Option<PathBuf>,
     /// The program; printed if not given.
     #[arg(long)]
     out: Option<PathBuf>,
@@ -26,15 +40,15 @@ pub(super) struct Post {
     /// cutter's height if that is more.
     #[arg(long)]
     tool_length: Option<f64>,
-    /// How far the tip may be from its line at feed, mm.
-    #[arg(long, default_value_t = 0.001)]
-    chord: f64,
-    /// How far the tool's axis may be from its own at feed, degrees.
-    #[arg(long, default_value_t = 0.005)]
-    axis: f64,
-    /// Decimals of lengths (mm) and angles (degrees), 3 to 6.
-    #[arg(long, default_value_t = 4, value_parser = clap::value_parser!(u8).range(3..=6))]
-    decimals: u8,
+    /// How far the tip may be from its line at feed, mm; 0.001 if not given.
+    #[arg(long)]
+    chord: Option<f64>,
+    /// How far the tool's axis may be from its own at feed, degrees; 0.005 if not given.
+    #[arg(long)]
+    axis: Option<f64>,
+    /// Decimals of lengths (mm) and angles (degrees), 3 to 6; 4 if not given.
+    #[arg(long, value_parser = clap::value_parser!(u8).range(3..=6))]
+    decimals: Option<u8>,
     /// Number the blocks.
     #[arg(long)]
     numbered: bool,
@@ -55,47 +69,87 @@ impl Post {
             let known = Dialect::ALL.map(Dialect::name).join(", ");
             Failure::Call(format!("--dialect {}: must be one of {known}", self.dialect))
         })?;
-        let in_file =
-            |path: &Path, e: &dyn std::fmt::Display| Failure::Job(format!("{}: {e}", path.display()));
         let machine =
             machines::machine(&read_text(&self.machine)?).map_err(|e| in_file(&self.machine, &e))?;
-        let decimals = usize::from(self.decimals);
-        let options = PostOptions {
-            tool_length_mm: self.tool_length,
-            chord_mm: self.chord,
-            axis_deg: self.axis,
-            coolant: !self.dry,
-            layout: Layout {
-                linear: decimals,
-                rotary: decimals,
-                numbered: self.numbered,
-                carriage_return: self.carriage_return,
-                most_blocks: self.most_blocks,
-                ..Layout::default()
-            },
-            ..PostOptions::new(dialect)
+        let options = self.options(dialect)?;
+        let table = self.contacts.as_ref().map(|path| read_text(path)).transpose()?;
+        let terminal = Terminal::new();
+        let stage = Stage::whole(&terminal, workers());
+        let posting = stage.part("Writing the program", 0.0, if self.spec.is_some() { 0.3 } else { 1.0 });
+        let posted = machines::post(&read_text(&self.apt)?, table.as_deref(), &machine, &options, &posting)
+            .map_err(|e| in_file(&self.apt, &e))?;
+        let kept = match &self.spec {
+            Some(path) => {
+                let (spec, bytes) = load(path)?;
+                Some(machines::prove(&posted, &spec, bytes.as_deref(), &stage.part("Proving", 0.3, 1.0))?)
+            }
+            None => None,
         };
-        let posted =
-            machines::post(&read_text(&self.apt)?, &machine, &options).map_err(|e| in_file(&self.apt, &e))?;
-        if let Some(read_back) = &self.read_back {
-            write_whole(read_back, &posted.read_back())?;
+        terminal.clear();
+        let read_back = self.read_back.as_ref().map(|path| (path.as_path(), posted.read_back()));
+        let mut files: Vec<(&Path, &str)> =
+            read_back.iter().map(|(path, text)| (*path, text.as_str())).collect();
+        files.extend(self.out.as_ref().map(|path| (path.as_path(), posted.text.as_str())));
+        write_whole(&files)?;
+        if self.out.is_none() {
+            return print(posted.text.trim_end());
         }
-        let Some(out) = &self.out else { return print(posted.text.trim_end()) };
-        write_whole(out, &posted.text)?;
-        summary(&posted)
+        summary(&posted)?;
+        kept.map_or(Ok(()), |kept| proof(&kept))
+    }
+
+    /// The settings of the file, and over them those of the command line.
+    fn options(&self, dialect: Dialect) -> Result<PostOptions, Failure> {
+        let options = match &self.settings {
+            Some(path) => PostOptions::from_json(&read_text(path)?).map_err(|e| in_file(path, &e))?,
+            None => PostOptions::new(dialect),
+        };
+        let layout = options.layout;
+        let decimals = self.decimals.map(usize::from);
+        Ok(PostOptions {
+            dialect,
+            tool_length_mm: self.tool_length.or(options.tool_length_mm),
+            chord_mm: self.chord.unwrap_or(options.chord_mm),
+            axis_deg: self.axis.unwrap_or(options.axis_deg),
+            coolant: options.coolant && !self.dry,
+            layout: Layout {
+                linear: decimals.unwrap_or(layout.linear),
+                rotary: decimals.unwrap_or(layout.rotary),
+                numbered: layout.numbered || self.numbered,
+                carriage_return: layout.carriage_return || self.carriage_return,
+                most_blocks: self.most_blocks,
+                ..layout
+            },
+            ..options
+        })
     }
 }
 
-/// Writes a file at once: beside it first, so that whatever goes wrong leaves what was there before.
-fn write_whole(path: &Path, text: &str) -> Result<(), Failure> {
-    let mut beside = path.as_os_str().to_owned();
-    beside.push(".part");
-    let written = std::fs::write(&beside, text).and_then(|()| std::fs::rename(&beside, path));
-    written.map_err(|e| {
-        // It may not even have come to be.
-        let _ = std::fs::remove_file(&beside);
+fn in_file(path: &Path, error: &JobError) -> Failure {
+    Failure::Job(format!("{}: {error}", path.display()))
+}
+
+/// Writes files at once: all of them beside their places first, so that whatever goes wrong leaves what was there before.
+fn write_whole(files: &[(&Path, &str)]) -> Result<(), Failure> {
+    let beside = |path: &Path| {
+        let mut name = path.as_os_str().to_owned();
+        name.push(".part");
+        PathBuf::from(name)
+    };
+    let failed = |path: &Path, e: std::io::Error| {
+        for (path, _) in files {
+            // It may not even have come to be.
+            let _ = std::fs::remove_file(beside(path));
+        }
         Failure::Job(format!("{}: {e}", path.display()))
-    })
+    };
+    for (path, text) in files {
+        std::fs::write(beside(path), text).map_err(|e| failed(path, e))?;
+    }
+    for (path, _) in files {
+        std::fs::rename(beside(path), path).map_err(|e| failed(path, e))?;
+    }
+    Ok(())
 }
 
 fn summary(posted: &Posted) -> Result<(), Failure> {
@@ -126,5 +180,44 @@ fn summary(posted: &Posted) -> Result<(), Failure> {
         let unit = if axis.is_rotary() { "°" } else { " mm" };
         print(&format!("{}            {low:.3} to {high:.3}{unit} in machine coordinates", axis.letter))?;
     }
+    if let Some(cutting) = &posted.cutting {
+        cut(cutting)?;
+    }
+    for note in machines::notes(posted) {
+        let moves = if note.first == note.last {
+            format!("move {}", note.first)
+        } else {
+            format!("moves {} to {}", note.first, note.last)
+        };
+        print(&format!("note         {moves}: {}", note.text()))?;
+    }
     Ok(())
+}
+
+fn cut(cutting: &Cutting) -> Result<(), Failure> {
+    let [least, most] = cutting.at_contact;
+    let speeds = format!("{:.0} to {:.0} m/min", cutting.speed(least), cutting.speed(most));
+    print(&format!(
+        "cutting      {:.0} 1/min: {speeds} at the contact (effective diameter {least:.3} to {most:.3} mm)",
+        cutting.rpm
+    ))?;
+    print(&format!(
+        "             {:.0} m/min at the least, on {:.3} mm, with a lead of {:.2}°",
+        cutting.speed(cutting.least),
+        cutting.least,
+        cutting.least_lead.to_degrees()
+    ))?;
+    match cutting.feed.zip(cutting.feed_per_tooth) {
+        Some((feed, tooth)) => print(&format!("feed         {feed:.0} mm/min, {tooth:.4} mm a tooth")),
+        None => Ok(()),
+    }
+}
+
+fn proof(kept: &Kept) -> Result<(), Failure> {
+    let um = |x: Option<f64>| x.map_or("none".into(), |x| format!("{:.3} µm", 1e3 * x));
+    let told =
+        |of: &Verified| format!("excess {}, gouge {}", um(of.largest_excess_mm), um(of.largest_gouge_mm));
+    print(&format!("planned      {}", told(&kept.planned)))?;
+    print(&format!("posted       {}", told(&kept.posted)))?;
+    print(&format!("change       at most {:.4} µm at {} samples", 1e3 * kept.largest_change, kept.samples))
 }

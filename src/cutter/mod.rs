@@ -1,6 +1,8 @@
 //! The cutter: APT's seven parameters, its profile and the profile's inverse.
 
 mod apt;
+mod holder;
 mod profile;
 
 pub use apt::{Cutter, CutterError};
+pub use holder::Holder;

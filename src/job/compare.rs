@@ -4,7 +4,7 @@ use super::error::JobError;
 use super::report::Verified;
 use super::run::{Plan, plan};
 use super::shape::Shape;
-use super::spec::Spec;
+use super::spec::{ObjectiveSpec, Spec, StrategySpec};
 use crate::monitor::Stage;
 use crate::posture::Rule;
 pub use crate::verify::Floor;
@@ -104,17 +104,21 @@ pub fn holds(verified: &Verified, scallop_mm: f64) -> bool {
 /// Plans the job with every strategy that applies and proves them, the quickest first, until one holds: that one. Where none does,
 /// the quickest of all.
 ///
-/// Quick is the whole program at its feeds, links and rapid ways included. Strategies that cannot be planned are passed over,
-/// unless none can.
+/// Quick is the whole program at its feeds, links and rapid ways included; or, where length is the objective, what has the shortest cuts.
+/// Strategies that cannot be planned are passed over, unless none can.
 pub(super) fn auto(spec: &Spec, bytes: Option<&[u8]>, stage: &Stage) -> Result<Plan, JobError> {
     let contenders = contenders(spec, bytes)?;
     let count = contenders.len() as f64;
+    let by_length = matches!(spec.strategy, StrategySpec::Auto { objective: ObjectiveSpec::Length, .. });
     let mut plans = Vec::new();
     let mut why = None;
     for (k, Contender { spec, .. }) in contenders.iter().enumerate() {
         let part = stage.part("Planning", 0.8 * k as f64 / count, 0.8 * (k + 1) as f64 / count);
         match plan(spec, bytes, &part) {
-            Ok(plan) => plans.push((plan.report(None).time_min, plan)),
+            Ok(plan) => {
+                let report = plan.report(None);
+                plans.push((if by_length { report.length.cut_mm } else { report.time_min }, plan));
+            }
             Err(JobError::Cancelled(cancelled)) => return Err(cancelled.into()),
             Err(other) => why = Some(other),
         }

@@ -111,7 +111,7 @@ const TURN_ACROSS: Field =
     number("turn_across_deg_per_mm", "°/mm", [0.1, 90.0], 0.5, 8.0).when("rule", CHOSEN);
 const POINTS: Field =
     Field { name: "start_points_mm", kind: Kind::Points, when: Some(("start", &["curve"])) };
-const ORDER: Field = choice("order", &["zigzag", "zig"], "zigzag");
+const ORDER: Field = choice("order", &["zigzag", "zig", "climb", "conventional"], "zigzag");
 
 /// The objects of a specification in the order in which a form shows them.
 pub const GROUPS: &[Group] = &[
@@ -133,6 +133,16 @@ pub const GROUPS: &[Group] = &[
             },
         ],
         fields: &[],
+    },
+    Group {
+        path: "holder",
+        variants: &[],
+        fields: &[
+            choice("shape", &["none", "cylinder"], "none"),
+            number("stickout_mm", "mm", [1.0, 1000.0], 1.0, 60.0).when("shape", &["cylinder"]),
+            number("diameter_mm", "mm", [1.0, 500.0], 1.0, 40.0).when("shape", &["cylinder"]),
+            number("height_mm", "mm", [1.0, 1000.0], 5.0, 80.0).when("shape", &["cylinder"]),
+        ],
     },
     Group {
         path: "strategy",
@@ -203,7 +213,18 @@ pub const GROUPS: &[Group] = &[
             Variant {
                 kind: "auto",
                 shapes: &[],
-                fields: &[RULE, LEAD, YAW, LEAST_LEAD, MOST_LEAD, MOST_YAW, TURN_ALONG, TURN_ACROSS, ORDER],
+                fields: &[
+                    choice("objective", &["time", "length"], "time"),
+                    RULE,
+                    LEAD,
+                    YAW,
+                    LEAST_LEAD,
+                    MOST_LEAD,
+                    MOST_YAW,
+                    TURN_ALONG,
+                    TURN_ACROSS,
+                    ORDER,
+                ],
             },
             Variant {
                 kind: "raster",
@@ -229,6 +250,8 @@ pub const GROUPS: &[Group] = &[
         fields: &[
             number("lift_mm", "mm", [0.1, 100.0], 0.5, 2.0),
             number("clearance_mm", "mm", [0.1, 500.0], 1.0, 10.0),
+            choice("fixture", &["none", "plane"], "none"),
+            number("fixture_z_mm", "mm", [-5000.0, 5000.0], 1.0, 0.0).when("fixture", &["plane"]),
         ],
     },
     Group {

@@ -35,9 +35,11 @@ pub use report::{Lengths, Report, Unreachable, Verified};
 pub use run::{Plan, Proof, plan, preview};
 pub use schema::schema;
 pub use shape::Shape;
+#[cfg(feature = "flow")]
+pub use spec::ObjectiveSpec;
 pub use spec::{
-    AlongSpec, CutterSpec, FeedSpec, LinkSpec, OrderSpec, RuleSpec, SideSpec, SourceSpec, Spec, StartSpec,
-    StrategySpec, ToleranceSpec, VERSION, VerifySpec,
+    AlongSpec, CutterSpec, FeedSpec, FixtureSpec, HolderSpec, LinkSpec, OrderSpec, RuleSpec, SideSpec,
+    SourceSpec, Spec, StartSpec, StrategySpec, ToleranceSpec, VERSION, VerifySpec,
 };
 pub use stepover::{Placement, StepoverChart, StepoverCurves, stepover_chart};
 pub use tool::outline;

@@ -11,8 +11,8 @@ use crate::geometry::{Along, Face, TriMesh, Zone};
 use crate::monitor::Stage;
 use crate::post::{self, Program};
 use crate::posture::Rule;
-use crate::strategy::{self, LOOK, Linked, Planned, RasterError, RasterOptions, Refuge};
-use crate::toolpath::{ClPoint, Posture, Touch};
+use crate::strategy::{self, LOOK, Linked, Linking, Outline, Planned, RasterError, RasterOptions, Refuge};
+use crate::toolpath::{ClPoint, Pass, Posture, Touch};
 use crate::verify::{self, Options, Samples, Verification};
 use glam::DVec3;
 
@@ -59,8 +59,8 @@ pub fn plan(spec: &Spec, bytes: Option<&[u8]>, stage: &Stage) -> Result<Plan, Jo
     let (shape, mut warnings) = spec.source.shape(bytes)?;
     let planning = stage.part("Planning", 0.02, 0.95);
     let (planned, linked) = match &shape {
-        Shape::Face(face) => on_face(spec, face, &cutter, &planning)?,
-        Shape::Mesh(mesh) => on_mesh(spec, mesh, &cutter, &planning)?,
+        Shape::Face(face) => on_face(spec, face, &cutter, &mut warnings, &planning)?,
+        Shape::Mesh(mesh) => on_mesh(spec, mesh, &cutter, &mut warnings, &planning)?,
     };
     let program = Program {
         part: spec.name.clone(),
@@ -170,7 +170,13 @@ impl Plan {
     }
 }
 
-fn on_face(spec: &Spec, face: &Face, cutter: &Cutter, stage: &Stage) -> Result<(Planned, Linked), JobError> {
+fn on_face(
+    spec: &Spec,
+    face: &Face,
+    cutter: &Cutter,
+    warnings: &mut Vec<String>,
+    stage: &Stage,
+) -> Result<(Planned, Linked), JobError> {
     let finish = spec.finish()?;
     let passing = stage.part("Planning", 0.0, 0.95);
     let rule = spec.strategy.rule()?.unwrap_or(Rule::Fixed(Posture::default()));
@@ -205,16 +211,27 @@ fn on_face(spec: &Spec, face: &Face, cutter: &Cutter, stage: &Stage) -> Result<(
             ));
         }
     };
-    let planned = Planned { passes: strategy::nearest_next(planned.passes, false), ..planned };
-    let how = spec.linking(cutter);
+    let passes = ordered(planned.passes, spec.strategy.order(), false);
+    let planned = Planned { passes, ..planned };
+    let holder = spec.holder(cutter)?;
+    let how = spec.linking(cutter, holder.as_ref());
     let obstacle = FaceObstacle::for_cutter(face, cutter);
-    let bounds = obstacle.bounds();
-    let refuge = Refuge::around(bounds, cutter, how.clearance);
-    // Larger by what the cutter moves between two looks, to either side of them.
-    let stout = Cutter { corner_radius: cutter.corner_radius + 0.5 * LOOK, ..*cutter };
-    let is_clear = |cl: &_| obstacle.clears(&stout, cl);
+    let outline = Outline::new(cutter, holder.as_ref());
+    let refuge = Refuge::around(obstacle.bounds(), &outline, &how);
+    let held = holder.map(|holder| holder.solid());
+    // Larger by `more`, to either side of it.
+    let holder_clears =
+        |cl: &ClPoint, more: f64| held.is_none_or(|(solid, up)| face_clears(&obstacle, &solid, more, cl, up));
+    // What the cutter moves between two looks.
+    let more = 0.5 * LOOK;
+    let is_clear = |cl: &ClPoint| {
+        face_clears(&obstacle, cutter, more, cl, 0.0)
+            && holder_clears(cl, more)
+            && how.fixture.is_none_or(|height| outline.lowest(cl) > height)
+    };
     let linked =
         strategy::link(&planned.passes, &how, &refuge, &is_clear, &stage.part("Joining passes", 0.95, 1.0))?;
+    warnings.extend(met(&linked, &how, &outline, &|cl: &ClPoint| holder_clears(cl, 0.0)));
     Ok((planned, linked))
 }
 
@@ -222,6 +239,7 @@ fn on_mesh(
     spec: &Spec,
     mesh: &TriMesh,
     cutter: &Cutter,
+    warnings: &mut Vec<String>,
     stage: &Stage,
 ) -> Result<(Planned, Linked), JobError> {
     let StrategySpec::Raster { angle_deg, order } = spec.strategy else {
@@ -257,16 +275,66 @@ fn on_mesh(
         let why = "the cutter fits nowhere on this mesh from above: a smaller cutter, or the other side, may";
         return Err(JobError::Strategy(why.into()));
     }
-    let passes = strategy::nearest_next(raster.passes, order == OrderSpec::Zigzag);
-    let how = spec.linking(cutter);
+    let passes = ordered(raster.passes, order, order == OrderSpec::Zigzag);
+    let holder = spec.holder(cutter)?;
+    let how = spec.linking(cutter, holder.as_ref());
+    let outline = Outline::new(cutter, holder.as_ref());
     let top = mesh.bounds().map_or(0.0, |(_, high)| high.z);
     let (lowered, under) = (DropMesh::new(mesh), Underside::new(cutter));
-    let is_clear = |cl: &ClPoint| !is_in_mesh(&lowered, &under, cl.tip - DVec3::Z * LOOK);
+    let held = holder.map(|holder| holder.solid()).map(|(solid, up)| (Underside::new(&solid), up));
+    let holder_clears =
+        |cl: &ClPoint, less: f64| held.is_none_or(|(under, up)| mesh_clears(&lowered, &under, cl, up - less));
+    let is_clear = |cl: &ClPoint| {
+        mesh_clears(&lowered, &under, cl, -LOOK)
+            && holder_clears(cl, LOOK)
+            && how.fixture.is_none_or(|height| outline.lowest(cl) > height)
+    };
     let refuge = Refuge::Above(top + how.clearance);
     let linked = strategy::link(&passes, &how, &refuge, &is_clear, &stage.part("Joining passes", 0.95, 1.0))?;
+    warnings.extend(met(&linked, &how, &outline, &|cl: &ClPoint| holder_clears(cl, 0.0)));
     let (unreached, unseen) = (raster.unreached, raster.unseen);
     Ok((Planned { passes, unreached, unseen, largest_fit: None }, linked))
 }
+
+/// Whether a solid, larger by `more` and `up` mm above the tip, clears a face. Asked in many places, and large where it is inlined.
+#[inline(never)]
+fn face_clears(obstacle: &FaceObstacle, solid: &Cutter, more: f64, cl: &ClPoint, up: f64) -> bool {
+    let stout = Cutter { corner_radius: solid.corner_radius + more, ..*solid };
+    obstacle.clears(&stout, &ClPoint { tip: cl.tip + up * cl.axis, axis: cl.axis })
+}
+
+/// Whether what is under an upright cutter, `up` mm above its tip, clears a mesh. Likewise.
+#[inline(never)]
+fn mesh_clears(mesh: &DropMesh, under: &Underside, cl: &ClPoint, up: f64) -> bool {
+    !is_in_mesh(mesh, under, cl.tip + DVec3::Z * up)
+}
+
+/// Passes in the order in which they are cut, turned where that may be.
+fn ordered(passes: Vec<Pass>, order: OrderSpec, turned: bool) -> Vec<Pass> {
+    match order.side() {
+        Some(side) => strategy::one_sided(passes, side),
+        None => strategy::nearest_next(passes, turned),
+    }
+}
+
+/// Where the holder does not clear the part, and where the tool goes below what the part stands on: cuts do not ask for either.
+fn met(linked: &Linked, how: &Linking, outline: &Outline, clears: &dyn Fn(&ClPoint) -> bool) -> Vec<String> {
+    let moves = &linked.toolpath.moves;
+    let told = |what: &str, meets: &dyn Fn(&ClPoint) -> bool| {
+        let (first, step) = moves.iter().enumerate().find(|(_, step)| meets(&step.to))?;
+        let count = moves.iter().filter(|step| meets(&step.to)).count();
+        let [x, y, z] = step.to.tip.to_array();
+        Some(format!("{what} at {count} moves, first at move {first} to ({x:.3}, {y:.3}, {z:.3})"))
+    };
+    let held = told("the holder does not clear the part", &|cl| !clears(cl));
+    let below = how.fixture.and_then(|height| {
+        told("the tool goes below the fixture", &|cl| outline.lowest(cl) < height - FIXTURE_ROUNDING)
+    });
+    held.into_iter().chain(below).collect()
+}
+
+/// How far below the fixture counts as a rounding error, mm.
+const FIXTURE_ROUNDING: f64 = 1e-9;
 
 /// The shape of `spec` to draw before anything is planned.
 pub fn preview(spec: &Spec, bytes: Option<&[u8]>) -> Result<Picture, JobError> {
@@ -275,6 +343,18 @@ pub fn preview(spec: &Spec, bytes: Option<&[u8]>) -> Result<Picture, JobError> {
 }
 
 impl StrategySpec {
+    /// In which order passes are cut.
+    fn order(&self) -> OrderSpec {
+        match *self {
+            Self::IsoParametric { order, .. }
+            | Self::IsoPlanar { order, .. }
+            | Self::ConstantScallop { order, .. }
+            | Self::Raster { order, .. } => order,
+            #[cfg(feature = "flow")]
+            Self::Flow { order, .. } | Self::Auto { order, .. } => order,
+        }
+    }
+
     /// The value of its `kind`.
     pub fn kind(&self) -> &'static str {
         match self {

@@ -23,6 +23,8 @@ pub struct Spec {
     pub source: SourceSpec,
     /// The tool.
     pub cutter: CutterSpec,
+    /// What holds it.
+    pub holder: HolderSpec,
     /// How passes are laid.
     pub strategy: StrategySpec,
     /// What the finish must keep.
@@ -159,6 +161,40 @@ pub enum CutterSpec {
     Conical { diameter_mm: f64, corner_radius_mm: f64, bottom_deg: f64, height_mm: f64 },
 }
 
+/// What holds the tool: nothing that is known, or a cylinder. Only links keep clear of it; cuts that it does not clear are told.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[expect(missing_docs, reason = "names and units are the table's in fields.rs")]
+pub enum HolderSpec {
+    None,
+    Cylinder { stickout_mm: f64, diameter_mm: f64, height_mm: f64 },
+}
+
+impl HolderSpec {
+    /// From settings whose values the schema has checked: only names can be wrong.
+    fn read(value: &Value) -> Result<Self, JobError> {
+        let names = ["shape", "stickout_mm", "diameter_mm", "height_mm"];
+        let mut keys = value.as_object().into_iter().flat_map(Map::keys);
+        if let Some(unknown) = keys.find(|key| !names.contains(&key.as_str())) {
+            return Err(JobError::field("holder", format!("unknown field `{unknown}`")));
+        }
+        let number = |k: usize| value[names[k]].as_f64().unwrap_or_default();
+        Ok(if value["shape"] == "cylinder" {
+            Self::Cylinder { stickout_mm: number(1), diameter_mm: number(2), height_mm: number(3) }
+        } else {
+            Self::None
+        })
+    }
+
+    fn to_value(self) -> Value {
+        match self {
+            Self::None => json!({ "shape": "none" }),
+            Self::Cylinder { stickout_mm, diameter_mm, height_mm } => json!({
+                "shape": "cylinder", "stickout_mm": stickout_mm, "diameter_mm": diameter_mm, "height_mm": height_mm,
+            }),
+        }
+    }
+}
+
 /// How passes are laid.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
@@ -217,6 +253,7 @@ pub enum StrategySpec {
     },
     #[cfg(feature = "flow")]
     Auto {
+        objective: ObjectiveSpec,
         rule: RuleSpec,
         lead_deg: f64,
         yaw_deg: f64,
@@ -231,6 +268,16 @@ pub enum StrategySpec {
         angle_deg: f64,
         order: OrderSpec,
     },
+}
+
+/// What the best of all strategies is the least of: the time of the whole program at its feeds, or the length of its cuts.
+#[cfg(feature = "flow")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[expect(missing_docs, reason = "the names say it")]
+pub enum ObjectiveSpec {
+    Time,
+    Length,
 }
 
 /// The parameter that passes follow.
@@ -270,13 +317,16 @@ pub enum StartSpec {
     Curve,
 }
 
-/// Whether passes go one way or to and fro.
+/// Whether passes go one way or to and fro; one way also with what is uncut always on the right of the feed (climb, for a spindle that
+/// turns clockwise) or always on its left (conventional).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[expect(missing_docs, reason = "the names say it")]
 pub enum OrderSpec {
     Zig,
     Zigzag,
+    Climb,
+    Conventional,
 }
 
 /// What the finish must keep.
@@ -300,6 +350,19 @@ pub struct LinkSpec {
     pub lift_mm: f64,
     /// Distance from everything on rapid ways.
     pub clearance_mm: f64,
+    /// What the part stands on.
+    pub fixture: FixtureSpec,
+    /// Height of the plane that it is.
+    pub fixture_z_mm: f64,
+}
+
+/// What the part stands on, which links keep above of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[expect(missing_docs, reason = "the names say it")]
+pub enum FixtureSpec {
+    None,
+    Plane,
 }
 
 /// How fast it goes.
@@ -354,6 +417,7 @@ impl Spec {
             name: object.remove("name").map_or(Ok(String::new()), |name| read("name", &name))?,
             source: source(&take(&mut object, "source")?)?,
             cutter: read("cutter", &take(&mut object, "cutter")?)?,
+            holder: HolderSpec::read(&take(&mut object, "holder")?)?,
             strategy: read("strategy", &take(&mut object, "strategy")?)?,
             tolerance: read("tolerance", &take(&mut object, "tolerance")?)?,
             links: read("links", &take(&mut object, "links")?)?,
@@ -406,6 +470,7 @@ impl From<Spec> for Value {
             "name": spec.name,
             "source": kinds::flat(&spec.source),
             "cutter": kinds::flat(&spec.cutter),
+            "holder": spec.holder.to_value(),
             "strategy": kinds::flat(&spec.strategy),
             "tolerance": spec.tolerance,
             "links": spec.links,

@@ -1,11 +1,11 @@
 //! From a specification's settings to the core's own types.
 
 use super::error::JobError;
-use super::spec::{CutterSpec, OrderSpec, RuleSpec, Spec, StartSpec, StrategySpec};
-use crate::cutter::{Cutter, CutterError};
+use super::spec::{CutterSpec, FixtureSpec, HolderSpec, OrderSpec, RuleSpec, Spec, StartSpec, StrategySpec};
+use crate::cutter::{Cutter, CutterError, Holder};
 use crate::geometry::Along;
 use crate::posture::{Limits, Rule};
-use crate::strategy::{Finish, Linking, Order, Start};
+use crate::strategy::{Finish, Linking, Order, Side, Start};
 use crate::toolpath::Posture;
 
 impl CutterSpec {
@@ -35,8 +35,19 @@ impl CutterSpec {
 impl From<OrderSpec> for Order {
     fn from(order: OrderSpec) -> Self {
         match order {
-            OrderSpec::Zig => Self::Zig,
+            OrderSpec::Zig | OrderSpec::Climb | OrderSpec::Conventional => Self::Zig,
             OrderSpec::Zigzag => Self::ZigZag,
+        }
+    }
+}
+
+impl OrderSpec {
+    /// On which side of the feed the next pass lies, if that is asked for.
+    pub(super) fn side(self) -> Option<Side> {
+        match self {
+            Self::Climb => Some(Side::Right),
+            Self::Conventional => Some(Side::Left),
+            Self::Zig | Self::Zigzag => None,
         }
     }
 }
@@ -132,14 +143,24 @@ impl Spec {
         Ok(finish)
     }
 
+    /// What holds the cutter, if that is stated; errors name the setting.
+    pub fn holder(&self, cutter: &Cutter) -> Result<Option<Holder>, JobError> {
+        let HolderSpec::Cylinder { stickout_mm, diameter_mm, height_mm } = self.holder else {
+            return Ok(None);
+        };
+        let made = Holder::new(stickout_mm, diameter_mm, height_mm, cutter);
+        made.map(Some).map_err(|e| JobError::field(&format!("holder.{}_mm", e.field), e.message))
+    }
+
     /// How passes are joined.
-    pub fn linking(&self, cutter: &Cutter) -> Linking {
+    pub fn linking(&self, cutter: &Cutter, holder: Option<&Holder>) -> Linking {
         Linking {
             cut_feed: self.feeds.cut_mm_per_min,
             plunge_feed: self.feeds.plunge_mm_per_min,
             lift: self.links.lift_mm,
-            lever: cutter.height,
+            lever: holder.map_or(cutter.height, |holder| holder.stickout.max(cutter.height)),
             clearance: self.links.clearance_mm,
+            fixture: (self.links.fixture == FixtureSpec::Plane).then_some(self.links.fixture_z_mm),
         }
     }
 }

@@ -16,6 +16,10 @@ pub struct AxisMove {
     pub role: Role,
     /// The shortest time in which the axes can do it at constant speed, and not faster than asked for, s; 0 for the first move.
     pub seconds: f64,
+    /// The time that the feed asks for, s; 0 in rapid.
+    pub asked: f64,
+    /// Whether it draws the tool back, turns it over, or returns it, which the toolpath does not ask for.
+    pub turns_over: bool,
     /// The move of the toolpath that it is part of, counted from 0.
     pub source: usize,
     /// Whether it ends where that move does.

@@ -13,18 +13,18 @@ use glam::DVec3;
 /// both keep to the tolerances of `how`. Rotary axes run on beyond a turn and never jump back; where one meets its limit the tool
 /// draws back on a link, is turned over, and returns.
 ///
-/// The feed is that of the point whose places at the ends of the moves are `contacts`, the contact with the part; without any (an empty
-/// slice) that of the tip. It is asked for, and lowered where an axis would go faster than it can.
+/// The feed is that of the contact with the part, whose places at the ends of the moves are `contacts`; where a move has none at either
+/// end, and beyond the end of the slice, that of the tip. It is asked for, and lowered where an axis would go faster than it can.
 ///
 /// Errors name the move, its end, and the axis: a pose that the machine cannot reach, a limit that the path leaves, a turn for which the path
 /// offers no link.
 pub fn drive(
     kinematics: &Kinematics,
     path: &Toolpath,
-    contacts: &[DVec3],
+    contacts: &[Option<DVec3>],
     how: &Following,
 ) -> Result<AxisPath, MotionError> {
-    let chosen = choose(kinematics, path, 0.5 * how.feed.axis)?;
+    let chosen = choose(kinematics, path, 0.5 * how.feed.axis.max(how.pole))?;
     let mut driver = Driver {
         kinematics,
         how,
@@ -34,11 +34,13 @@ pub fn drive(
     };
     driver.path.moves.reserve(path.moves.len());
     for (index, (step, chosen)) in path.moves.iter().zip(&chosen).enumerate() {
-        let length = match (index, contacts.get(index)) {
-            (0, _) => 0.0,
-            (_, Some(contact)) => contact.distance(contacts[index - 1]),
-            (_, None) => step.to.tip.distance(path.moves[index - 1].to.tip),
-        };
+        let length = index.checked_sub(1).map_or(0.0, |before| {
+            let contact = |k: usize| contacts.get(k).copied().flatten();
+            match (contact(before), contact(index)) {
+                (Some(from), Some(to)) => from.distance(to),
+                _ => step.to.tip.distance(path.moves[before].to.tip),
+            }
+        });
         driver.go(Leg { step, source: index, length, keeps_axis: true }, driver.snapped(chosen.arrive))?;
         if let Some(leave) = chosen.leave {
             driver.turn_over(index, step, driver.snapped(leave))?;
@@ -85,12 +87,14 @@ impl Driver<'_> {
         let Some(last) = self.path.moves.last() else {
             return self.push(&leg, Place { share: 1.0, at: end }, 0.0);
         };
-        let tolerance = match step.rate {
-            Rate::Rapid => self.how.rapid,
-            Rate::Feed(_) => self.how.feed,
+        let (tolerance, pole) = match step.rate {
+            Rate::Rapid => (self.how.rapid, 0.0),
+            Rate::Feed(_) => (self.how.feed, self.how.pole),
         };
         let (kinematics, control, step_angle) = (self.kinematics, self.how.control, self.how.rotary_step);
-        let follower = Follower { kinematics, control, tolerance, step: step_angle, keeps_axis };
+        let largest_turn = self.how.largest_turn;
+        let follower =
+            Follower { kinematics, control, tolerance, pole, largest_turn, step: step_angle, keeps_axis };
         let mut room = std::mem::take(&mut self.room);
         if !follower.follow([&last.to, &step.to], [last.at, end], &mut room) {
             return Err(MotionError::Jump { index: source, point: step.to.tip });
@@ -113,15 +117,15 @@ impl Driver<'_> {
         if let Some((axis, position)) = axes.find(|(axis, position)| !axis.holds(*position)) {
             return Err(MotionError::limit(source, to.tip, axis, position));
         }
-        let seconds = self.path.moves.last().map_or(0.0, |last| {
-            let asked = match step.rate {
-                Rate::Rapid => 0.0,
-                Rate::Feed(feed) => 60.0 * length / feed,
-            };
-            least_time(self.kinematics.axes(), &last.at, &place.at).max(asked)
-        });
+        let asked = match step.rate {
+            Rate::Rapid => 0.0,
+            Rate::Feed(feed) => 60.0 * length / feed,
+        };
+        let least = |last: &AxisMove| least_time(self.kinematics.axes(), &last.at, &place.at);
+        let seconds = self.path.moves.last().map_or(0.0, |last| least(last).max(asked));
         let (at, Move { rate, role, .. }) = (place.at, *step);
-        self.path.moves.push(AxisMove { at, to, rate, role, seconds, source, is_end });
+        let turns_over = false;
+        self.path.moves.push(AxisMove { at, to, rate, role, seconds, asked, turns_over, source, is_end });
         Ok(())
     }
 
@@ -151,14 +155,15 @@ impl Driver<'_> {
         by: f64,
     ) -> Result<(), MotionError> {
         let Some(arrived) = self.path.moves.last().map(|last| last.at.rotary) else { return Ok(()) };
+        let begin = self.path.moves.len();
         let back = ClPoint { tip: step.to.tip + by * step.to.axis, axis: step.to.axis };
         for (to, rotary, keeps_axis) in [(back, arrived, true), (back, leave, false), (step.to, leave, true)]
         {
             let step = Move { to, rate: Rate::Rapid, role: Role::Link };
             self.go(Leg { step: &step, source: index, length: 0.0, keeps_axis }, rotary)?;
-            if let Some(last) = self.path.moves.last_mut() {
-                last.is_end = false;
-            }
+        }
+        for added in &mut self.path.moves[begin..] {
+            (added.is_end, added.turns_over) = (false, true);
         }
         Ok(())
     }

@@ -35,6 +35,10 @@ pub(super) struct Follower<'a> {
     pub(super) kinematics: &'a Kinematics,
     pub(super) control: Control,
     pub(super) tolerance: Tolerance,
+    /// The tolerance of the axis within this angle of the pole, radians, if it is the larger one.
+    pub(super) pole: f64,
+    /// The largest turn of an axis in one piece, radians, if it is the smaller one.
+    pub(super) largest_turn: f64,
     /// The step of rotary angles, radians.
     pub(super) step: f64,
     /// Whether the axis matters; it does not where the tool is turned over in the clear.
@@ -95,11 +99,11 @@ impl Follower<'_> {
         let strays = |t: f64| {
             let at = begin.at.lerp(&end.at, t).rotary;
             let asked = between(from, to, begin.share + t * (end.share - begin.share)).axis;
-            self.kinematics.pointing(at).distance(asked) > self.tolerance.axis
+            self.kinematics.pointing(at).distance(asked) > self.allowed(asked)
         };
         let middle = between(from, to, share);
         if self.keeps_axis
-            && (pose.axis.distance(middle.axis) > self.tolerance.axis
+            && (pose.axis.distance(middle.axis) > self.allowed(middle.axis)
                 || turn > LARGEST_TURN && (strays(0.25) || strays(0.75)))
         {
             return match self.nearest_way(&middle, half.rotary) {
@@ -107,14 +111,21 @@ impl Follower<'_> {
                 None => Halved::Never,
             };
         }
-        if self.control == Control::Tip {
+        let largest = LARGEST_TURN.min(self.largest_turn.max(self.step));
+        if self.control == Control::Tip && turn <= largest {
             return Halved::Keeps;
         }
         let [a, b] = [begin, end].map(|place| from.tip.lerp(to.tip, place.share));
-        if turn > LARGEST_TURN || bow(pose.tip, [a, b]) > (1.0 - turn) * self.tolerance.chord {
+        if turn > largest || bow(pose.tip, [a, b]) > (1.0 - turn) * self.tolerance.chord {
             return self.place(share, &middle, half.rotary);
         }
         Halved::Keeps
+    }
+
+    /// How far the axis may be from `asked`.
+    fn allowed(&self, asked: DVec3) -> f64 {
+        let is_at_pole = || self.kinematics.pole().is_some_and(|pole| pole.cross(asked).length() < self.pole);
+        if self.pole > self.tolerance.axis && is_at_pole() { self.pole } else { self.tolerance.axis }
     }
 
     fn place(&self, share: f64, pose: &ClPoint, rotary: [f64; 2]) -> Halved {

@@ -115,8 +115,9 @@ impl Kinematics {
         self.tool_axis
     }
 
-    /// The line on the workpiece about which the first rotary axis turns; along it the tool has a pole.
-    pub(super) fn pole(&self) -> Option<DVec3> {
+    /// Unit vector on the workpiece along the line about which the first rotary axis turns: along it, and against it, the tool has a pole.
+    /// Nothing without rotary axes.
+    pub fn pole(&self) -> Option<DVec3> {
         self.about.map(|[first, _]| first)
     }
 

@@ -29,6 +29,11 @@ pub struct Following {
     pub feed: Tolerance,
     /// For rapid moves.
     pub rapid: Tolerance,
+    /// How far the axis may be from its own at feed within this angle of the pole, radians, so that the tool passes through it; what is
+    /// less than the tolerance at feed adds nothing.
+    pub pole: f64,
+    /// The most that a rotary axis turns from block to block, radians, above 0; more than 0.1 adds nothing.
+    pub largest_turn: f64,
     /// The step that rotary angles are rounded to before the linear axes are found for them, radians: what the program's decimals
     /// can state. The tip stays where it is all the same.
     pub rotary_step: f64,
@@ -43,6 +48,8 @@ impl Following {
             control,
             feed: Tolerance { chord: 1e-3, axis: 0.005f64.to_radians() },
             rapid: Tolerance { chord: 0.05, axis: 0.5f64.to_radians() },
+            pole: 0.0,
+            largest_turn: 5.7f64.to_radians(),
             rotary_step: 1e-4f64.to_radians(),
             clearance: 50.0,
         }

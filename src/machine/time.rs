@@ -35,22 +35,30 @@ impl Times {
 /// Source of the filter: L. Biagiotti, C. Melchiorri, FIR filters for online trajectory planning with time- and frequency-domain
 /// specifications, 2012. Not counted: dwells, tool changes, spindles that run up.
 pub fn estimate(axes: &[Axis], path: &AxisPath) -> Times {
-    let blocks: Vec<Block> = path.moves.windows(2).filter_map(|pair| Block::of(axes, pair)).collect();
-    let smoothing = smoothing(axes, path);
-    let corners = corners(axes, &blocks, smoothing);
-    let mut times = Times { settling: smoothing, ..Times::default() };
-    if blocks.is_empty() {
-        times.settling = 0.0;
-    }
-    for (block, ends) in blocks.iter().zip(corners.windows(2)) {
-        let seconds = block.seconds(ends[0], ends[1]);
-        match (block.rate, block.role) {
+    let mut times = Times::default();
+    let durations = durations(axes, path);
+    for (step, seconds) in path.moves.iter().zip(&durations) {
+        match (step.rate, step.role) {
             (Rate::Rapid, _) => times.rapid += seconds,
             (Rate::Feed(_), Role::Cut) => times.cut += seconds,
             (Rate::Feed(_), Role::Link) => times.link += seconds,
         }
     }
+    if durations.iter().any(|seconds| *seconds > 0.0) {
+        times.settling = smoothing(axes, path);
+    }
     times
+}
+
+/// How long each move of `path` takes, s, in the way of [`estimate`]; 0 for the first, and for those in which nothing moves.
+pub fn durations(axes: &[Axis], path: &AxisPath) -> Vec<f64> {
+    let found: Vec<Option<Block>> = path.moves.windows(2).map(|pair| Block::of(axes, pair)).collect();
+    let blocks: Vec<Block> = found.iter().copied().flatten().collect();
+    let corners = corners(axes, &blocks, smoothing(axes, path));
+    let mut taken =
+        blocks.iter().zip(corners.windows(2)).map(|(block, ends)| block.seconds(ends[0], ends[1]));
+    let moves = found.iter().map(|block| block.and_then(|_| taken.next()).unwrap_or(0.0));
+    std::iter::once(0.0).chain(moves).take(path.moves.len()).collect()
 }
 
 /// The duration of the moving average, s: what the axes that move need to come to their full acceleration.
@@ -64,6 +72,7 @@ pub fn smoothing(axes: &[Axis], path: &AxisPath) -> f64 {
 }
 
 /// A move as the time that it takes at its own speed, and the axes' speeds then.
+#[derive(Debug, Clone, Copy)]
 struct Block {
     /// Seconds at full speed, above 0.
     nominal: f64,
@@ -71,8 +80,6 @@ struct Block {
     speeds: [f64; 5],
     /// How fast the share of the full speed may change, 1/s.
     acceleration: f64,
-    rate: Rate,
-    role: Role,
 }
 
 impl Block {
@@ -86,7 +93,7 @@ impl Block {
         let speeds: [f64; 5] = std::array::from_fn(|k| (b[k] - a[k]) / nominal);
         let least = |least: f64, (axis, speed): (&Axis, &f64)| least.min(axis.acceleration / speed.abs());
         let acceleration = axes.iter().zip(&speeds).fold(f64::INFINITY, least);
-        Some(Self { nominal, speeds, acceleration, rate: to.rate, role: to.role })
+        Some(Self { nominal, speeds, acceleration })
     }
 
     /// The time from a share of the full speed to another, speeding up to the full speed between if there is room.

@@ -1,6 +1,6 @@
 //! From passes to one motion: lifting, crossing and coming down between them.
 
-use crate::cutter::Cutter;
+use crate::cutter::{Cutter, Holder};
 use crate::monitor::{Cancelled, Stage};
 use crate::toolpath::{ClPoint, Move, Pass, Rate, Role, Station, Toolpath, Touch};
 use glam::DVec3;
@@ -18,6 +18,37 @@ pub struct Linking {
     pub lever: f64,
     /// How far beyond everything it stays when it crosses in rapid, mm.
     pub clearance: f64,
+    /// Height of what the part stands on, mm, if it stands on anything: links stay above it.
+    pub fixture: Option<f64>,
+}
+
+/// Cutter and holder as cylinders around the axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Outline {
+    /// Of the cutter and of the holder, from how far above the tip, how far up, and of which radius, mm; twice the cutter's without a
+    /// holder.
+    cylinders: [[f64; 3]; 2],
+}
+
+impl Outline {
+    /// Of `cutter` and its `holder`.
+    pub fn new(cutter: &Cutter, holder: Option<&Holder>) -> Self {
+        let cut = [0.0, cutter.height, cutter.largest_radius()];
+        let held = holder.map(|h| [h.stickout, h.stickout + h.height, 0.5 * h.diameter]);
+        Self { cylinders: [cut, held.unwrap_or(cut)] }
+    }
+
+    /// The largest radius, mm.
+    fn widest(&self) -> f64 {
+        self.cylinders[0][2].max(self.cylinders[1][2])
+    }
+
+    /// The least height that any of it comes to at a location, mm.
+    pub fn lowest(&self, cl: &ClPoint) -> f64 {
+        let sine = (1.0 - cl.axis.z * cl.axis.z).max(0.0).sqrt();
+        let low = |[low, high, radius]: [f64; 3]| (low * cl.axis.z).min(high * cl.axis.z) - radius * sine;
+        cl.tip.z + low(self.cylinders[0]).min(low(self.cylinders[1]))
+    }
 }
 
 /// The part as an obstacle for links: whether the cutter at a location stays clear of it.
@@ -84,23 +115,26 @@ pub enum Refuge {
         center: DVec3,
         /// Its radius, mm.
         radius: f64,
+        /// What must stay above a height there, mm, if anything must.
+        above: Option<(Outline, f64)>,
     },
     /// Above a height, for a cutter that stays upright.
     Above(f64),
 }
 
 impl Refuge {
-    /// Outside a ball around the part between `bounds`, `clearance` mm away from it.
-    pub fn around(bounds: (DVec3, DVec3), cutter: &Cutter, clearance: f64) -> Self {
-        // With its tip outside this ball the whole cutter is off the part: its disc hangs at most a radius below the tip.
-        let radius = 0.5 * bounds.0.distance(bounds.1) + 2.0 * cutter.largest_radius() + clearance;
-        Self::Outside { center: 0.5 * (bounds.0 + bounds.1), radius }
+    /// Outside a ball around the part between `bounds`, as far away from it as `how` asks for.
+    pub fn around(bounds: (DVec3, DVec3), outline: &Outline, how: &Linking) -> Self {
+        // With its tip outside this ball all of the tool is off the part: it hangs at most a radius below the tip.
+        let radius = 0.5 * bounds.0.distance(bounds.1) + 2.0 * outline.widest() + how.clearance;
+        let above = how.fixture.map(|height| (*outline, height));
+        Self::Outside { center: 0.5 * (bounds.0 + bounds.1), radius, above }
     }
 
     /// Where the cutter enters the refuge, retracting from `cl` along its axis.
     fn exit(&self, cl: ClPoint) -> ClPoint {
         match *self {
-            Self::Outside { center, radius } => {
+            Self::Outside { center, radius, .. } => {
                 let v = cl.tip - center;
                 let along = v.dot(cl.axis);
                 let beyond = radius * radius - v.length_squared();
@@ -110,9 +144,29 @@ impl Refuge {
         }
     }
 
-    /// Locations on the way from `a` to `b`, both in the refuge, `b` included.
+    /// Locations on the way from `a` to `b`, both in the refuge, `b` included: over the top where the shortest way would go below
+    /// what it must stay above of.
     fn way(&self, a: ClPoint, b: ClPoint) -> Vec<ClPoint> {
-        let Self::Outside { center, .. } = *self else { return vec![b] };
+        let Self::Outside { center, radius, above } = *self else { return vec![b] };
+        let direct = Self::arc(center, a, b);
+        let least = a.tip.z.min(b.tip.z);
+        let dips = |(outline, height): (Outline, f64)| {
+            // What the ends themselves do is not the way's fault.
+            let lowest = |cl: &ClPoint| outline.lowest(cl);
+            let ends = lowest(&a).min(lowest(&b)).min(least);
+            direct.iter().map(lowest).fold(f64::INFINITY, f64::min) < height.min(ends)
+        };
+        if !above.is_some_and(dips) {
+            return direct;
+        }
+        let top = ClPoint { tip: center + DVec3::Z * radius, axis: DVec3::Z };
+        let mut way = Self::arc(center, a, top);
+        way.extend(Self::arc(center, top, b));
+        way
+    }
+
+    /// Around `center` from `a` to `b`.
+    fn arc(center: DVec3, a: ClPoint, b: ClPoint) -> Vec<ClPoint> {
         let (from, to) = (a.tip - center, b.tip - center);
         let angle = from.angle_between(to);
         let square = (to - from * (to.dot(from) / from.length_squared()))

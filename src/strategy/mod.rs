@@ -32,6 +32,6 @@ pub use finish::{Finish, Order, Planned, StrategyError};
 pub use flow::flow;
 pub use iso_parametric::iso_parametric;
 pub use iso_planar::iso_planar;
-pub use link::{IsClear, LOOK, Linked, Linking, Refuge, link};
-pub use order::nearest_next;
+pub use link::{IsClear, LOOK, Linked, Linking, Outline, Refuge, link};
+pub use order::{Side, nearest_next, one_sided};
 pub use raster::{Raster, RasterError, RasterOptions, raster};

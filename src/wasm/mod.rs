@@ -5,6 +5,8 @@
 //!
 //! Each file is what one module of the page offers, and a feature; what a module does not offer it does not hold.
 
+#[cfg(feature = "machines")]
+pub mod machines;
 #[cfg(feature = "milling")]
 pub mod milling;
 #[cfg(feature = "turning")]

@@ -176,9 +176,9 @@ fn feed_is_that_of_the_contact_where_it_is_known() {
     let cut = |k: u32| (pose(DVec3::new(f64::from(k), 0.0, 20.0), 5.0, 0.0), CUT);
     let path = path((0..10).map(cut));
     // The contact goes twice as far as the tip, as on the outside of a bend.
-    let contacts: Vec<DVec3> = path.moves.iter().map(|m| 2.0 * m.to.tip).collect();
+    let contacts: Vec<_> = path.moves.iter().map(|m| Some(2.0 * m.to.tip)).collect();
     let kinematics = Kinematics::new(&example("head_head_ac"), 120.0).unwrap();
-    let seconds = |contacts: &[DVec3]| -> f64 {
+    let seconds = |contacts: &[Option<DVec3>]| -> f64 {
         let axes = drive(&kinematics, &path, contacts, &Following::new(Control::Axes)).unwrap();
         axes.moves.iter().map(|m| m.seconds).sum()
     };
@@ -285,10 +285,27 @@ proptest! {
     fn any_path_is_followed_or_refused(poses in prop::collection::vec(any_lean(), 2..8)) {
         let path = path(poses.into_iter().map(|pose| (pose, CUT)));
         for (name, kinematics) in five_axis() {
-            let how = Following::new(Control::Axes);
-            match drive(&kinematics, &path, &[], &how) {
-                Ok(axes) => assert_follows(&kinematics, &path, &axes, &how),
-                Err(e) => prop_assert!(matches!(e, MotionError::NoTurn { .. }), "{name}: {e}"),
+            for (control, largest_turn) in
+                [(Control::Axes, 5.0f64), (Control::Axes, 0.7), (Control::Tip, 5.0), (Control::Tip, 0.7)]
+            {
+                let largest_turn = largest_turn.to_radians();
+                let how = Following { largest_turn, ..Following::new(control) };
+                let axes = match drive(&kinematics, &path, &[], &how) {
+                    Ok(axes) => axes,
+                    Err(e) => {
+                        prop_assert!(matches!(e, MotionError::NoTurn { .. }), "{name}: {e}");
+                        continue;
+                    }
+                };
+                if control == Control::Axes {
+                    assert_follows(&kinematics, &path, &axes, &how);
+                }
+                for pair in axes.moves.windows(2) {
+                    for k in [0, 1] {
+                        let jump = (pair[1].at.rotary[k] - pair[0].at.rotary[k]).abs();
+                        prop_assert!(jump <= largest_turn + how.rotary_step, "{name}: a jump of {jump}");
+                    }
+                }
             }
         }
     }

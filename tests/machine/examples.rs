@@ -1,17 +1,22 @@
 //! The machines that are shipped.
 
-use stepover::job::machines::machine;
+use stepover::job::JobError;
+use stepover::job::machines::{self, PostOptions, Posted, machine};
 use stepover::machine::{Kinematics, Machine};
+use stepover::monitor::Stage;
+use stepover::post::Program;
 
 /// Name and text of each.
-pub(crate) const TEXTS: [(&str, &str); 6] = [
-    ("table_table_ac", include_str!("../../examples/machines/table_table_ac.json")),
-    ("table_table_bc", include_str!("../../examples/machines/table_table_bc.json")),
-    ("head_table_bc", include_str!("../../examples/machines/head_table_bc.json")),
-    ("head_head_ab", include_str!("../../examples/machines/head_head_ab.json")),
-    ("head_head_ac", include_str!("../../examples/machines/head_head_ac.json")),
-    ("three_axis", include_str!("../../examples/machines/three_axis.json")),
-];
+pub(crate) const TEXTS: [(&str, &str); 6] = machines::SHIPPED;
+
+/// The program of `program` without contacts.
+pub(crate) fn post_program(
+    program: &Program,
+    machine: &Machine,
+    options: &PostOptions,
+) -> Result<Posted, JobError> {
+    machines::post_program(program.clone(), &[], machine, options, &Stage::silent())
+}
 
 /// The machine called so.
 pub(crate) fn example(name: &str) -> Machine {

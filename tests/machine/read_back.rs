@@ -1,10 +1,10 @@
 //! What programs state is what was planned: the gallery's jobs on every machine that can hold them, in every dialect.
 
-use crate::examples::{TEXTS, example};
+use crate::examples::{TEXTS, example, post_program};
 use glam::DVec3;
 use std::num::NonZeroUsize;
 use std::sync::OnceLock;
-use stepover::job::machines::{Dialect, PostOptions, Posted, post_program};
+use stepover::job::machines::{Dialect, PostOptions, Posted};
 use stepover::job::{self, JobError};
 use stepover::monitor::{Silent, Stage};
 use stepover::post::Program;

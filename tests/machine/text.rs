@@ -1,9 +1,9 @@
 //! The texts themselves, and what their readers refuse.
 
-use crate::examples::example;
+use crate::examples::{example, post_program};
 use glam::DVec3;
 use stepover::cutter::Cutter;
-use stepover::job::machines::{Dialect, Layout, PostOptions, post_program};
+use stepover::job::machines::{Dialect, Layout, PostOptions};
 use stepover::machine::{Kinematics, Tolerance};
 use stepover::post::{Program, ReadError, Unit, multiaxis};
 use stepover::toolpath::{ClPoint, Move, Rate, Role, Toolpath};
