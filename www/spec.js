@@ -81,7 +81,7 @@ export function withVariant(spec, group, kind) {
 }
 
 /**
- * The spec with what it leaves out of its variants: it may be of a planner that had fewer fields.
+ * The spec with what it leaves out: it may be of a planner that had fewer fields, or written by hand.
  *
  * @param {Schema} schema
  * @param {Spec} spec
@@ -90,6 +90,11 @@ export function completed(schema, spec) {
   for (const group of schema.groups) {
     const kind = chosen(group, spec)?.kind;
     if (kind) spec = withVariant(spec, group, kind);
+    const given = read(spec, group.path);
+    const left = (group.variants?.length ? [] : (group.fields ?? [])).filter(
+      ({ name }) => !(name in (given ?? {})),
+    );
+    for (const field of left) spec = write(spec, `${group.path}.${field.name}`, field.default);
   }
   return spec;
 }
@@ -118,7 +123,8 @@ export function withFittingVariants(schema, draft) {
     const fit = fitting(group, shape);
     const kind = read(spec, group.path)?.kind;
     if (fit.length > 0 && !fit.some((variant) => variant.kind === kind)) {
-      spec = withVariant(spec, group, fit[0].kind);
+      // What needs another module is for whoever asks for it.
+      spec = withVariant(spec, group, (fit.find(({ second }) => !second) ?? fit[0]).kind);
     }
   }
   return spec === draft.spec ? draft : { ...draft, spec };

@@ -32,6 +32,15 @@ function empty() {
     at: 1,
     dragging: false,
     picking: null,
+    runs: [],
+    comparison: null,
+    removal: null,
+    removing: null,
+    picked: null,
+    range: null,
+    isFlat: false,
+    domain: null,
+    recent: [],
   };
 }
 

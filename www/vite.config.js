@@ -14,8 +14,8 @@ function service() {
       for (const name of names.filter((name) => name.endsWith('.html'))) version.update(bundle[name].source);
       const fixed = readdirSync('public').sort();
       for (const name of fixed) version.update(readFileSync(`public/${name}`));
-      // The turning page is kept when it is first used.
-      const first = [...names, ...fixed].filter((name) => !/\.(html|jpg)$|turning/.test(name));
+      // Other pages, and what is loaded for whoever looks closely, are kept when they are first used.
+      const first = [...names, ...fixed].filter((name) => !/\.(html|jpg)$|turning|learn|study/.test(name));
       const files = ['./', ...first.map((name) => `./${name}`)];
       const source = readFileSync('service.js', 'utf8')
         .replace('__VERSION__', version.digest('hex').slice(0, 16))
@@ -34,7 +34,7 @@ export default defineConfig({
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
     chunkSizeWarningLimit: 800,
-    rolldownOptions: { input: ['index.html', 'turning.html'] },
+    rolldownOptions: { input: ['index.html', 'learn.html', 'turning.html'] },
   },
   plugins: [service()],
   worker: { format: 'es' },

@@ -7,6 +7,8 @@
 
 #[cfg(feature = "milling")]
 pub mod milling;
+#[cfg(feature = "study")]
+pub mod study;
 #[cfg(feature = "turning")]
 pub mod turning;
 

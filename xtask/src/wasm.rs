@@ -23,8 +23,11 @@ struct Module {
     feature: &'static str,
 }
 
-const MODULES: [Module; 2] =
-    [Module { name: "stepover", feature: "milling" }, Module { name: "turning", feature: "turning" }];
+const MODULES: [Module; 3] = [
+    Module { name: "stepover", feature: "milling" },
+    Module { name: "study", feature: "study" },
+    Module { name: "turning", feature: "turning" },
+];
 
 /// Compiles the library for the browser, once for each module, and writes them to [`folder`].
 pub fn build() -> Result<()> {

@@ -1,0 +1,121 @@
+/**
+ * Runs: what was planned in this visit, and all strategies that apply to a job side by side.
+ *
+ * @import { Draft, Outcome, Run, State } from './types.js'
+ */
+import { Cancelled } from './protocol.js';
+
+/** Runs that are kept; the oldest goes first, unless it is laid over the picture. */
+const MOST_RUNS = 24;
+/** Share of a strategy's progress that planning has. */
+const PLANNING = 0.6;
+
+/**
+ * @param {ReturnType<import('./state.js').createState>} state
+ * @param {{ onError: (error: unknown) => void }} callbacks
+ */
+export function createComparing(state, { onError }) {
+  /** @type {ReturnType<import('./protocol.js').createPlanner> | null} */
+  let planner = null;
+  let lastId = 0;
+
+  /** @param {Draft} draft @param {Pick<Outcome, 'report' | 'contacts' | 'path'>} outcome @param {number | null} floor mm */
+  function add(draft, { report, contacts, path }, floor) {
+    lastId += 1;
+    /** @type {Run} */
+    const run = { id: lastId, draft, report, contacts, path, floor, isLaid: false };
+    const kept = state.get().runs.filter(({ draft: other }) => !isSame(other, draft));
+    const spare = kept.findIndex(({ isLaid }) => !isLaid);
+    if (kept.length >= MOST_RUNS) kept.splice(Math.max(spare, 0), 1);
+    state.set({ runs: [...kept, run] });
+  }
+
+  /** @param {Draft} draft @param {(part: { name: string, fraction: number }) => void} tell */
+  async function runAll(draft, tell) {
+    if (!planner) {
+      const { createStudyPlanner } = await import('./study/planner.js');
+      planner = createStudyPlanner('comparison');
+    }
+    const { bytes } = draft.source;
+    const floor = await planner.call('floor', [draft.spec, bytes], (_, fraction) =>
+      tell({ name: 'floor', fraction: 0.05 * fraction }),
+    );
+    /** @type {{ name: string, spec: import('./types.js').Spec }[]} */
+    const contenders = await planner.call('contenders', [draft.spec, bytes]);
+    for (const [k, { name, spec }] of contenders.entries()) {
+      const at = (/** @type {number} */ share) => 0.05 + (0.95 * (k + share)) / contenders.length;
+      try {
+        const planned = await planner.call('plan', [spec, bytes], (_, fraction) =>
+          tell({ name, fraction: at(PLANNING * fraction) }),
+        );
+        const { report } = await planner.call('prove', [], (_, fraction) =>
+          tell({ name, fraction: at(PLANNING + (1 - PLANNING) * fraction) }),
+        );
+        add(
+          { spec: { ...spec, source: draft.spec.source }, source: draft.source },
+          { ...planned, report },
+          floor,
+        );
+      } catch (error) {
+        // One strategy that does not apply is no reason to stop.
+        if (error instanceof Cancelled) throw error;
+      }
+    }
+  }
+
+  return {
+    /** Keeps what was planned and proven. @param {Draft} draft @param {Outcome} outcome */
+    keep(draft, outcome) {
+      const floor = state.get().runs.find((run) => isAlike(run.draft, draft))?.floor ?? null;
+      add(draft, outcome, floor);
+    },
+
+    async run() {
+      const { draft } = state.get();
+      if (!draft || (draft.spec.source.kind === 'file' && !draft.source.bytes)) return;
+      state.set({ comparison: { name: '', fraction: 0 } });
+      try {
+        await runAll(draft, (part) => state.get().comparison && state.set({ comparison: part }));
+      } catch (error) {
+        onError(error);
+      } finally {
+        state.set({ comparison: null });
+      }
+    },
+
+    cancel() {
+      state.set({ comparison: null });
+      planner?.cancel();
+    },
+
+    /** @param {number} id */
+    lay(id) {
+      const runs = state.get().runs.map((run) => (run.id === id ? { ...run, isLaid: !run.isLaid } : run));
+      state.set({ runs });
+    },
+
+    clear: () => state.set({ runs: [] }),
+  };
+}
+
+/** @param {Draft} a @param {Draft} b */
+const isSame = (a, b) =>
+  a.source.bytes === b.source.bytes && JSON.stringify(a.spec) === JSON.stringify(b.spec);
+
+/** Whether the same floor holds for both: all but the way in which passes are laid is the same. @param {Draft} a @param {Draft} b */
+function isAlike(a, b) {
+  const shared = (/** @type {Draft} */ { spec }) => {
+    const { rule, lead_deg, yaw_deg, least_lead_deg, most_lead_deg, most_yaw_deg } = spec.strategy;
+    const posture = [rule, lead_deg, yaw_deg, least_lead_deg, most_lead_deg, most_yaw_deg];
+    return JSON.stringify([spec.source, spec.cutter, spec.tolerance, posture]);
+  };
+  return a.source.bytes === b.source.bytes && shared(a) === shared(b);
+}
+
+/** Runs of the surface that is on show. @param {State} state */
+export const runsOf = ({ runs, draft }) =>
+  runs.filter(
+    (run) =>
+      run.draft.source.bytes === draft?.source.bytes &&
+      JSON.stringify(run.draft.spec.source) === JSON.stringify(draft?.spec.source),
+  );
