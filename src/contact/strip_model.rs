@@ -67,8 +67,7 @@ pub fn model_section(cutter: &Cutter, posture: Posture, k: &Curvature, reach: f6
         for i in 1..=LOOKS {
             let share = f64::from(i) / f64::from(LOOKS);
             // Closer together where the profile rises least.
-            let Reading { height, side } =
-                model.read(toward * FRAC_PI_2 * share * share, &mut pace, y_sign);
+            let Reading { height, side } = model.read(toward * FRAC_PI_2 * share * share, &mut pace, y_sign);
             if !(side.is_finite() && height.is_finite() && side <= reach) {
                 break;
             }

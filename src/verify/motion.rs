@@ -19,6 +19,10 @@ pub(super) struct Piece {
     /// Length of `travel`.
     length: f64,
     /// The move of the path that this is, counted from 0.
+    #[cfg_attr(
+        not(feature = "study"),
+        expect(dead_code, reason = "only told when somebody asks what is cut when")
+    )]
     step: u32,
 }
 
@@ -72,6 +76,7 @@ impl Piece {
     }
 
     /// The move of the path that this is, counted from 0; not of a pose that stands for several.
+    #[cfg(feature = "study")]
     pub(super) fn step(&self) -> u32 {
         self.step
     }
@@ -133,8 +138,7 @@ pub(super) fn parts(body: &Body, path: &Toolpath) -> Vec<Piece> {
     let mut parts = Vec::with_capacity(path.moves.len());
     let mut from = path.moves.first().map(|m| m.to);
     for (number, step) in path.moves.iter().enumerate() {
-        let whole =
-            Piece { step: number as u32, ..Piece::between(&from.unwrap_or(step.to), &step.to) };
+        let whole = Piece { step: number as u32, ..Piece::between(&from.unwrap_or(step.to), &step.to) };
         let way = whole.length + whole.rate * body.reach();
         let count = (way / body.largest_radius()).ceil().clamp(1.0, MOST_PARTS) as u32;
         parts.extend((0..count).map(|i| whole.part(i, count)));

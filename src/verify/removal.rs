@@ -98,9 +98,11 @@ mod tests {
         let mut moves = Vec::new();
         for pass in 0..8 {
             let y = f64::from(pass) * 1.2;
-            moves.extend([to(-1.0, y, 3.0, Role::Link), to(-1.0, y, 0.0, Role::Link)]);
-            moves.extend((1..=20).map(|k| to(f64::from(k) * 1.1 - 1.0, y, 0.002 * f64::from(pass), Role::Cut)));
-            moves.push(to(21.0, y, 3.0, Role::Link));
+            moves.extend([to(-4.0, y, 3.0, Role::Link), to(-4.0, y, 0.0, Role::Link)]);
+            moves.extend(
+                (1..=20).map(|k| to(f64::from(k) * 1.4 - 4.0, y, 0.002 * f64::from(pass), Role::Cut)),
+            );
+            moves.push(to(24.0, y, 3.0, Role::Link));
         }
         let path = Toolpath { moves };
         let ball = Cutter::ball(6.0, 20.0).unwrap();

@@ -126,10 +126,7 @@ pub fn study_restarts(spec: &str, threshold: f64, progress: Function) -> Result<
     Ok(study::json(&found))
 }
 
-fn lesson(
-    spec: &str,
-    learn: impl FnOnce(&Spec) -> Result<String, JobError>,
-) -> Result<String, JsValue> {
+fn lesson(spec: &str, learn: impl FnOnce(&Spec) -> Result<String, JobError>) -> Result<String, JsValue> {
     Spec::from_json(spec).and_then(|spec| learn(&spec)).map_err(thrown)
 }
 

@@ -69,13 +69,21 @@ function opener(id) {
   return link;
 }
 
+/** A text whose symbols have their scripts: `w_max`. @param {string} text */
+function inline(text) {
+  return text.split(/([\p{L}∇]+_\p{L}+)/u).map((part) => {
+    const [base, script] = part.split('_');
+    return script ? h('span', { class: 'symbol' }, h('i', {}, base), h('sub', {}, script)) : part;
+  });
+}
+
 /** @param {string} id @param {[string] | [string, string] | [string, string, string]} block */
 function block(id, [kind, text = '', number = '']) {
   if (kind === 'math') {
     return h('div', { class: 'equation' }, formula(text), number && h('span', { class: 'number' }, number));
   }
   if (kind === 'figure') return FIGURES[id]().figure;
-  return h(kind === 'note' ? 'aside' : 'p', {}, text);
+  return h(kind === 'note' ? 'aside' : 'p', {}, ...inline(text));
 }
 
 function start() {
@@ -96,7 +104,7 @@ function start() {
   );
   attribute(place('contents'), 'aria-label', t('contents'));
   place('contents').append(
-    h('ol', {}, ...lessons.map(({ id, title }) => h('li', {}, h('a', { href: `#${id}` }, title)))),
+    h('ol', {}, ...lessons.map(({ id, title }) => h('li', {}, h('a', { href: `#${id}` }, ...inline(title))))),
   );
   place('lessons').append(
     h('header', { class: 'intro' }, h('h2', {}, t('title')), h('p', {}, t('intro'))),
@@ -104,7 +112,7 @@ function start() {
       h(
         'article',
         { id },
-        h('h2', {}, h('span', {}, `${i + 1}`), title),
+        h('h2', {}, h('span', {}, `${i + 1}`), h('span', {}, ...inline(title))),
         ...blocks.map((part) => block(id, part)),
         opener(id),
       ),

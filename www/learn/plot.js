@@ -3,7 +3,7 @@ import { plain } from '../format.js';
 import { s } from '../view/dom.js';
 
 export const WIDTH = 640;
-const MARGIN = { top: 16, right: 18, bottom: 44, left: 62 };
+const MARGIN = { top: 30, right: 18, bottom: 44, left: 62 };
 
 /**
  * @typedef {{ name: string, x: number[], y: (number | null)[] }} Line A gap where `y` is null; `name` is its class.
@@ -38,7 +38,7 @@ export function plot(svg, { x, y, labels, lines, height = 320, bands = [], uprig
       s('text', { x: MARGIN.left - 8, y: fix(py(v) + 4), 'text-anchor': 'end' }, plain(v)),
     ]),
     s('text', { class: 'name', x: WIDTH - MARGIN.right, y: height - 6, 'text-anchor': 'end' }, labels[0]),
-    s('text', { class: 'name', x: 4, y: 12 }, labels[1]),
+    s('text', { class: 'name', x: 4, y: 14 }, labels[1]),
     s(
       'svg',
       {

@@ -63,11 +63,7 @@ pub struct StudiedWidths {
 const MOST_YAW: i32 = 45;
 
 /// Widths at `lead_deg` over a surface with this curvature, as for [`studied_section`].
-pub fn studied_widths(
-    spec: &Spec,
-    lead_deg: f64,
-    [ff, fb, bb]: [f64; 3],
-) -> Result<StudiedWidths, JobError> {
+pub fn studied_widths(spec: &Spec, lead_deg: f64, [ff, fb, bb]: [f64; 3]) -> Result<StudiedWidths, JobError> {
     let (cutter, scallop) = (spec.cutter.cutter()?, spec.tolerance.scallop_mm);
     let k = Curvature { ff, fb, bb };
     let mut widths = StudiedWidths {

@@ -5,7 +5,9 @@ mod place;
 mod removal;
 mod restarts;
 
-pub use lesson::{StudiedPasses, StudiedSection, StudiedWidths, studied_passes, studied_section, studied_widths};
+pub use lesson::{
+    StudiedPasses, StudiedSection, StudiedWidths, studied_passes, studied_section, studied_widths,
+};
 pub use place::{Place, Subject};
 pub use removal::{Removed, drawing, removed};
 pub use restarts::{Family, Restarts, StudiedPath, restarts};

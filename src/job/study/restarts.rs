@@ -119,29 +119,24 @@ impl<'a> Ground<'a> {
         self.done[cell(uv.v, &domain.v) * DONE + cell(uv.u, &domain.u)]
     }
 
-    /// The node of the potential nearest to `uv`.
-    fn node(&self, uv: Uv) -> usize {
-        let (i, j) = self.grid.cell_at(uv);
-        let near = |low: Uv, high: Uv| {
-            (usize::from(uv.u - low.u > high.u - uv.u), usize::from(uv.v - low.v > high.v - uv.v))
-        };
-        let (right, up) = near(self.grid.uv(i, j), self.grid.uv(i + 1, j + 1));
-        (j + up) * self.grid.size().0 + i + right
-    }
-
-    /// The direction of the widest strip at `uv` on the side of `along`: of the corners around it, each turned to that side.
-    fn best(&self, uv: Uv, along: DVec3) -> Option<DVec3> {
+    /// The nodes of the potential around `uv` and their weights.
+    fn around(&self, uv: Uv) -> [(usize, f64); 4] {
         let (i, j) = self.grid.cell_at(uv);
         let (low, high) = (self.grid.uv(i, j), self.grid.uv(i + 1, j + 1));
         let (s, t) = ((uv.u - low.u) / (high.u - low.u), (uv.v - low.v) / (high.v - low.v));
         let nu = self.grid.size().0;
-        let mut sum = DVec3::ZERO;
-        for (k, weight) in [
+        [
             (j * nu + i, (1.0 - s) * (1.0 - t)),
             (j * nu + i + 1, s * (1.0 - t)),
             ((j + 1) * nu + i, (1.0 - s) * t),
             ((j + 1) * nu + i + 1, s * t),
-        ] {
+        ]
+    }
+
+    /// The direction of the widest strip at `uv` on the side of `along`: of the corners around it, each turned to that side.
+    fn best(&self, uv: Uv, along: DVec3) -> Option<DVec3> {
+        let mut sum = DVec3::ZERO;
+        for (k, weight) in self.around(uv) {
             if let Some((d, _)) = self.potential.best(k) {
                 sum += d * weight * if d.dot(along) < 0.0 { -1.0 } else { 1.0 };
             }
@@ -150,9 +145,11 @@ impl<'a> Ground<'a> {
     }
 
     fn point(&self, uv: Uv, feed: DVec3) -> Option<Point> {
-        let node = self.node(uv);
-        let (_, [widest, _]) = self.potential.best(node)?;
-        let width = self.potential.width(node, feed)?;
+        let (mut width, mut widest) = (0.0, 0.0);
+        for (k, weight) in self.around(uv) {
+            widest += weight * self.potential.best(k)?.1[0];
+            width += weight * self.potential.width(k, feed)?;
+        }
         Some(Point { uv, p: self.face.surface.point(uv), width, widest })
     }
 
@@ -165,7 +162,9 @@ impl<'a> Ground<'a> {
 
     /// Along the widest strips from `from` both ways, to the borders or to what is done.
     fn traced(&self, from: Uv) -> Option<Vec<Point>> {
-        let (start, _) = self.potential.best(self.node(from))?;
+        let (nearest, _) =
+            self.around(from).into_iter().fold((0, -1.0), |a, b| if b.1 > a.1 { b } else { a });
+        let (start, _) = self.potential.best(nearest)?;
         let half = |sign: f64| {
             let (mut uv, mut along) = (from, start * sign);
             let mut points = Vec::new();
@@ -196,7 +195,9 @@ impl<'a> Ground<'a> {
             (0..TRIED * TRIED).map(|k| domain.at(share(k % TRIED), share(k / TRIED))).collect();
         seeds.retain(|uv| !self.is_done(*uv));
         if seeds.is_empty() {
-            seeds.extend(self.places.iter().zip(&self.done).find(|(_, done)| !**done).map(|(place, _)| place.0));
+            seeds.extend(
+                self.places.iter().zip(&self.done).find(|(_, done)| !**done).map(|(place, _)| place.0),
+            );
         }
         let candidates: Vec<Vec<Point>> = seeds.into_iter().filter_map(|uv| self.traced(uv)).collect();
         let longest = candidates.iter().map(|path| measured(path).length_mm).fold(0.0, f64::max);
@@ -219,7 +220,7 @@ impl<'a> Ground<'a> {
 
     /// The neighbour of `path` to one side, edge to edge; what of it lies beyond the border or is done is left out.
     fn neighbour(&self, path: &[Point], sign: f64) -> Vec<Point> {
-        let mut next = Vec::new();
+        let mut next: Vec<Point> = Vec::new();
         for (k, point) in path.iter().enumerate() {
             let feed = path[(k + 1).min(path.len() - 1)].p - path[k.saturating_sub(1)].p;
             let across = |uv: Uv| {
@@ -234,7 +235,9 @@ impl<'a> Ground<'a> {
                 let end = step(middle, 0.5 * width)?;
                 self.point(end, feed)
             };
-            next.extend(there().filter(|point| !self.is_done(point.uv)));
+            // Where the path bends to that side by more than it is offset, it would run back.
+            let goes_on = |point: &Point| next.last().is_none_or(|last| (point.p - last.p).dot(feed) > 0.0);
+            next.extend(there().filter(|point| !self.is_done(point.uv)).filter(goes_on));
         }
         next
     }

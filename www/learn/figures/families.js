@@ -12,8 +12,8 @@ const [WIDE, TALL] = [640, 330];
 export const compared = (strategy) => ({
   ...squareJob('Saddle', (x, y) => 5 * x * y),
   strategy: { rule: 'fixed', lead_deg: 8, ...strategy },
-  tolerance: { scallop_mm: 0.03 },
-  verify: { spacing_mm: 1 },
+  tolerance: { scallop_mm: 0.05 },
+  verify: { spacing_mm: 2 },
 });
 
 /** @type {[string, object][]} */
@@ -72,8 +72,9 @@ export function createFamilies(ask) {
 function draw({ name, planned: { contacts, path } }, place) {
   const xs = contacts.filter((/** @type {number} */ _, /** @type {number} */ i) => i % 3 === 0);
   const ys = contacts.filter((/** @type {number} */ _, /** @type {number} */ i) => i % 3 === 1);
-  const [x0, x1] = [Math.min(...xs), Math.max(...xs)];
-  const [y0, y1] = [Math.min(...ys), Math.max(...ys)];
+  const isCut = (/** @type {unknown} */ _, /** @type {number} */ i) => path[i * STRIDE + KIND] === 0;
+  const [x0, x1] = ends(xs.filter(isCut));
+  const [y0, y1] = ends(ys.filter(isCut));
   const size = TALL - 30;
   const scale = (size - 16) / Math.max(x1 - x0, y1 - y0);
   const left = 10 + place * (WIDE / 2);
@@ -89,3 +90,6 @@ function draw({ name, planned: { contacts, path } }, place) {
     s('path', { class: 'passes', d, stroke: css(divergingColor(place ? 0.7 : -0.7)) }),
   ];
 }
+
+/** @param {Float32Array} list */
+const ends = (list) => [Math.min(...list), Math.max(...list)];

@@ -34,8 +34,8 @@ export function createStrip(ask) {
       lines: [{ name: 'exact', x: y, y: z }],
       dots: found.halves_mm
         ? [
-            { name: 'end', x: found.halves_mm[0], y: height, text: 'Pₐ' },
-            { name: 'end', x: -found.halves_mm[1], y: height, text: 'P_b' },
+            { name: 'end', x: found.halves_mm[0], y: height, text: 'Pa' },
+            { name: 'end', x: -found.halves_mm[1], y: height, text: 'Pb' },
           ]
         : [],
     });
