@@ -15,7 +15,17 @@ function service() {
       const fixed = readdirSync('public').sort();
       for (const name of fixed) version.update(readFileSync(`public/${name}`));
       // Other pages, and what is loaded for whoever looks closely, are kept when they are first used.
-      const first = [...names, ...fixed].filter((name) => !/\.(html|jpg)$|turning|learn|study/.test(name));
+      const isOther = (name) => {
+        const { source, moduleIds = [] } = bundle[name] ?? {};
+        const others = /\/www\/(learn|study|turning)\//;
+        // A worker is a file without modules: the functions that it calls tell whose it is.
+        return (
+          /\.(html|jpg)$|turning|learn|study/.test(name) ||
+          (moduleIds.length > 0 && moduleIds.every((id) => others.test(id))) ||
+          (typeof source === 'string' && name.endsWith('.js') && /study_|turning_/.test(source))
+        );
+      };
+      const first = [...names, ...fixed].filter((name) => !isOther(name));
       const files = ['./', ...first.map((name) => `./${name}`)];
       const source = readFileSync('service.js', 'utf8')
         .replace('__VERSION__', version.digest('hex').slice(0, 16))

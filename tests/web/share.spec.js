@@ -1,6 +1,6 @@
 /** Sharing by link, and what the page keeps: as people do it, in fresh profiles. */
 import { readFileSync } from 'node:fs';
-import { drop, expect, figure, picture, proof, set, test, visit } from './harness.js';
+import { drop, expect, figure, picture, proof, seriousFindings, set, test, visit } from './harness.js';
 
 const GOLDEN = JSON.parse(readFileSync(new URL('links-v1.json', import.meta.url), 'utf8'));
 
@@ -181,21 +181,14 @@ test('the path is played, stepped and timed as the machine cuts it', async ({ pa
 });
 
 test('no serious finding of axe-core, light and dark', async ({ page }) => {
-  const axe = readFileSync(new URL('../../www/node_modules/axe-core/axe.min.js', import.meta.url), 'utf8');
   await visit(page);
   await proof(page);
-  await page.evaluate(axe);
   for (const colorScheme of ['light', 'dark']) {
     await page.emulateMedia({ colorScheme });
     // Colours glide to the others.
     await page.waitForTimeout(200);
     await page.evaluate(() => Promise.all(document.getAnimations().map(({ finished }) => finished)));
-    const found = await page.evaluate(async () => {
-      const { violations } = await window.axe.run();
-      const serious = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
-      return serious.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target).join(', ')}`);
-    });
-    expect.soft(found, colorScheme).toEqual([]);
+    expect.soft(await seriousFindings(page), colorScheme).toEqual([]);
   }
 });
 

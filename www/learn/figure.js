@@ -24,7 +24,12 @@ export function createFigure(id, handles, compute) {
   const legend = h('ul', { class: 'lines' });
   const table = h('table', {});
   const bar = h('progress', { max: 1, value: 0, 'aria-label': t('waiting') });
-  const more = h('details', {}, h('summary', {}, t('table')), h('div', { class: 'scroll' }, table));
+  const more = h(
+    'details',
+    {},
+    h('summary', {}, t('table')),
+    h('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': t('table') }, table),
+  );
   /** @type {Record<string, number>} */
   const values = Object.fromEntries(handles.map((handle) => [handle.id, handle.value]));
   /** @type {Record<string, { input: HTMLInputElement, output: HTMLOutputElement, handle: Handle }>} */

@@ -10,9 +10,10 @@ const [WIDE, TALL] = [640, 330];
 
 /** The job of the comparison, with one strategy. @param {object} strategy */
 export const compared = (strategy) => ({
-  ...squareJob('Saddle', (x, y) => 5 * x * y),
-  strategy: { rule: 'fixed', lead_deg: 8, ...strategy },
-  tolerance: { scallop_mm: 0.05 },
+  ...squareJob('Saddle', 20, (x, y) => 6 * x * y),
+  cutter: { kind: 'bull_nose', diameter_mm: 10, corner_radius_mm: 2, height_mm: 50 },
+  strategy: { rule: 'fixed', lead_deg: 5, ...strategy },
+  tolerance: { scallop_mm: 0.02 },
   verify: { spacing_mm: 2 },
 });
 

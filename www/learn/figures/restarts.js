@@ -11,16 +11,20 @@ const MARGIN = 24;
 const ARROWS = 15;
 
 /**
- * A job on a square of 50 mm whose height is a function of x and y from −1 to 1, mm.
+ * A job on a square whose height is a function of x and y from −1 to 1, mm.
  *
- * @param {string} name @param {(x: number, y: number) => number} height
+ * @param {string} name @param {number} half Of a side, mm. @param {(x: number, y: number) => number} height
  */
-export function squareJob(name, height) {
+export function squareJob(name, half, height) {
   const points = [];
   for (let i = 0; i < 7; i += 1) {
     for (let j = 0; j < 7; j += 1) {
       const [x, y] = [i / 3 - 1, j / 3 - 1];
-      points.push([25 * x, 25 * y, Number(height(x, y).toFixed(4))]);
+      points.push([
+        Number((half * x).toFixed(4)),
+        Number((half * y).toFixed(4)),
+        Number(height(x, y).toFixed(4)),
+      ]);
     }
   }
   const knots = [0, 0, 0, 0, 0.25, 0.5, 0.75, 1, 1, 1, 1];
@@ -30,12 +34,12 @@ export function squareJob(name, height) {
     source: { kind: 'nurbs', degrees: [3, 3], knots_u: knots, knots_v: knots, points_mm: points },
     cutter: { kind: 'bull_nose', diameter_mm: 12, corner_radius_mm: 2, height_mm: 50 },
     strategy: { kind: 'flow', rule: 'matched', least_lead_deg: 4 },
-    tolerance: { scallop_mm: 0.03 },
+    tolerance: { scallop_mm: 0.015 },
   };
 }
 
 /** Three hollows and three crests around the middle: the widest strips turn all over it. */
-export const monkeySaddle = () => squareJob('Monkey saddle', (x, y) => 2.4 * (x * x * x - 3 * x * y * y));
+export const monkeySaddle = () => squareJob('Monkey saddle', 25, (x, y) => 2.4 * (x * x * x - 3 * x * y * y));
 
 /** @param {import('../main.js').Ask} ask */
 export function createRestarts(ask) {
