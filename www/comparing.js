@@ -40,6 +40,8 @@ export function createComparing(state, { onError }) {
     const floor = await planner.call('floor', [draft.spec, bytes], (_, fraction) =>
       tell({ name: 'floor', fraction: 0.05 * fraction }),
     );
+    const runs = state.get().runs.map((run) => (isAlike(run.draft, draft) ? { ...run, floor } : run));
+    state.set({ runs });
     /** @type {{ name: string, spec: import('./types.js').Spec }[]} */
     const contenders = await planner.call('contenders', [draft.spec, bytes]);
     for (const [k, { name, spec }] of contenders.entries()) {
@@ -99,15 +101,23 @@ export function createComparing(state, { onError }) {
 }
 
 /** @param {Draft} a @param {Draft} b */
-const isSame = (a, b) =>
-  a.source.bytes === b.source.bytes && JSON.stringify(a.spec) === JSON.stringify(b.spec);
+const isSame = (a, b) => a.source.bytes === b.source.bytes && ordered(a.spec) === ordered(b.spec);
+
+/** A spec as a text that does not depend on the order of its settings, without its name. @param {any} spec */
+function ordered({ name: _, ...spec }) {
+  const sorted = (/** @type {string} */ _key, /** @type {any} */ value) =>
+    value && typeof value === 'object' && !Array.isArray(value)
+      ? Object.fromEntries(Object.entries(value).sort(([a], [b]) => (a < b ? -1 : 1)))
+      : value;
+  return JSON.stringify(spec, sorted);
+}
 
 /** Whether the same floor holds for both: all but the way in which passes are laid is the same. @param {Draft} a @param {Draft} b */
 function isAlike(a, b) {
   const shared = (/** @type {Draft} */ { spec }) => {
     const { rule, lead_deg, yaw_deg, least_lead_deg, most_lead_deg, most_yaw_deg } = spec.strategy;
     const posture = [rule, lead_deg, yaw_deg, least_lead_deg, most_lead_deg, most_yaw_deg];
-    return JSON.stringify([spec.source, spec.cutter, spec.tolerance, posture]);
+    return ordered({ source: spec.source, cutter: spec.cutter, tolerance: spec.tolerance, posture });
   };
   return a.source.bytes === b.source.bytes && shared(a) === shared(b);
 }

@@ -2,8 +2,9 @@
 import { plain } from '../format.js';
 import { s } from '../view/dom.js';
 
-export const WIDTH = 640;
-const MARGIN = { top: 30, right: 18, bottom: 44, left: 62 };
+/** Units of the drawing: about as many as pixels, so that numbers can be read on a phone too. */
+export const WIDTH = matchMedia('(width < 700px)').matches ? 380 : 640;
+const MARGIN = { top: 30, right: 14, bottom: 44, left: 52 };
 
 /**
  * @typedef {{ name: string, x: number[], y: (number | null)[] }} Line A gap where `y` is null; `name` is its class.

@@ -11,7 +11,7 @@ import { KIND, lastCut, locate, STRIDE } from './way.js';
 
 /** The drawing's own size; the browser fits it to the room there is. */
 const SIZE = 1000;
-const MARGIN = 64;
+const MARGIN = 84;
 /** Points nearer to one another than this are one, in units of the drawing. */
 const APART = 0.8;
 /** Longest half arrow as a share of the distance of places. */
@@ -61,8 +61,8 @@ export function createDomain(root) {
       ...ticks.flatMap((share) => {
         const [x, y] = at(u0 + (u1 - u0) * share, v0 + (v1 - v0) * share);
         return [
-          s('text', { x, y: SIZE - MARGIN + 26, 'text-anchor': 'middle' }, number(u0 + (u1 - u0) * share)),
-          s('text', { x: MARGIN - 10, y: y + 6, 'text-anchor': 'end' }, number(v0 + (v1 - v0) * share)),
+          s('text', { x, y: SIZE - MARGIN + 44, 'text-anchor': 'middle' }, number(u0 + (u1 - u0) * share)),
+          s('text', { x: MARGIN - 30, y: y + 6, 'text-anchor': 'end' }, number(v0 + (v1 - v0) * share)),
         ];
       }),
       s('text', { class: 'name', x: SIZE - MARGIN, y: SIZE - 12, 'text-anchor': 'end' }, 'u'),

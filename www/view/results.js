@@ -84,7 +84,12 @@ function proof({ verified, scallop_mm }, chord, isProving, histogram) {
   const title = h('h3', {}, t('results.proof'));
   if (!verified) {
     const text = t(isProving ? 'results.proof.running' : 'results.proof.none');
-    return h('section', { class: 'proof' }, title, h('p', { class: 'help' }, text));
+    return h(
+      'section',
+      { class: isProving ? 'proof running' : 'proof' },
+      title,
+      h('p', { class: 'help' }, text),
+    );
   }
   const [id, limit] = verdict(verified, scallop_mm, chord);
   return h(

@@ -3,10 +3,11 @@ import { css, divergingColor } from '../../view/colors.js';
 import { s } from '../../view/dom.js';
 import { KIND, STRIDE } from '../../view/way.js';
 import { createFigure } from '../figure.js';
+import { WIDTH } from '../plot.js';
 import { t } from '../text.js';
 import { squareJob } from './restarts.js';
 
-const [WIDE, TALL] = [640, 330];
+const [WIDE, TALL] = [WIDTH, 0.5 * WIDTH + 10];
 
 /** The job of the comparison, with one strategy. @param {object} strategy */
 export const compared = (strategy) => ({

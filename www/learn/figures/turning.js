@@ -6,10 +6,13 @@ import { css, divergingColor } from '../../view/colors.js';
 import { s } from '../../view/dom.js';
 import address from '../../wasm/turning_bg.wasm?url';
 import { createFigure } from '../figure.js';
+import { WIDTH } from '../plot.js';
 import { t } from '../text.js';
 import { cell } from './job.js';
 
-const SIZE = 200;
+const SIZE = 170;
+/** Maps in a row. */
+const ACROSS = WIDTH < 500 ? 2 : 4;
 /** mm, where the colours end. */
 const MOST = 0.02;
 /** Rays and rings that are drawn of each map. */
@@ -50,7 +53,7 @@ export function createTurning() {
       const { report, residues } = await planner.call('prove', [], (_, f) => tell((k + 0.6 + 0.4 * f) / 4));
       found.push({ name: `${guide}.${points}`, report, residues, farthest: planned.farthest });
     }
-    svg.setAttribute('viewBox', `0 0 ${4 * SIZE} ${SIZE + 24}`);
+    svg.setAttribute('viewBox', `0 0 ${ACROSS * SIZE} ${(4 / ACROSS) * (SIZE + 24)}`);
     svg.replaceChildren(...found.flatMap(draw));
     const micron = (/** @type {number} */ mm) => (1000 * mm).toFixed(1);
     const worst = found.reduce((a, b) =>
@@ -85,7 +88,7 @@ export function createTurning() {
 /** @param {{ name: string, residues: any, farthest: number }} one @param {number} place */
 function draw({ name, residues }, place) {
   const [rays, rings] = DRAWN;
-  const middle = [place * SIZE + SIZE / 2, SIZE / 2];
+  const middle = [(place % ACROSS) * SIZE + SIZE / 2, Math.floor(place / ACROSS) * (SIZE + 24) + SIZE / 2];
   const radius = SIZE / 2 - 8;
   const cells = [];
   for (let ray = 0; ray < rays; ray += 1) {
@@ -113,6 +116,10 @@ function draw({ name, residues }, place) {
   }
   return [
     ...cells,
-    s('text', { class: 'name', x: middle[0], y: SIZE + 16, 'text-anchor': 'middle' }, t(`turning.${name}`)),
+    s(
+      'text',
+      { class: 'name', x: middle[0], y: middle[1] + SIZE / 2 + 12, 'text-anchor': 'middle' },
+      t(`turning.${name}`),
+    ),
   ];
 }
