@@ -193,7 +193,7 @@ function render(now) {
   // What is not filled yet is not shown either: it would only move.
   const isFilled = now.draft !== null || now.problem !== null;
   attribute(document.documentElement, 'data-filled', isFilled ? '' : null);
-  attribute(document.documentElement, 'data-planned', now.outcome ? '' : null);
+  if (now.outcome || now.problem) document.documentElement.dataset.planned = '';
   // Ready is when there is something to look at, or word of why not.
   if (isDrawn && (now.outcome || now.problem)) document.documentElement.dataset.ready = '';
   attribute(document.documentElement, 'data-job', now.job?.op ?? null);
