@@ -7,6 +7,7 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { brotliCompressSync, gzipSync } from 'node:zlib';
 import './link.test.js';
+import './study.test.js';
 import './text.test.js';
 import init, * as planner from '../../www/wasm/stepover.js';
 
