@@ -3,10 +3,12 @@
  *
  * @import { Draft, Outcome, Run, State } from './types.js'
  */
-import { Cancelled } from './protocol.js';
+import { PlannerError } from './protocol.js';
 
 /** Runs that are kept; the oldest goes first, unless it is laid over the picture. */
 const MOST_RUNS = 24;
+/** What is no answer of the planner. */
+const BROKEN = new Set(['trap', 'worker', 'compile']);
 /** Share of a strategy's progress that planning has. */
 const PLANNING = 0.6;
 
@@ -22,9 +24,11 @@ export function createComparing(state, { onError }) {
   /** @param {Draft} draft @param {Pick<Outcome, 'report' | 'contacts' | 'path'>} outcome @param {number | null} floor mm */
   function add(draft, { report, contacts, path }, floor) {
     lastId += 1;
+    const { runs } = state.get();
+    const before = runs.find(({ draft: other }) => isSame(other, draft));
     /** @type {Run} */
-    const run = { id: lastId, draft, report, contacts, path, floor, isLaid: false };
-    const kept = state.get().runs.filter(({ draft: other }) => !isSame(other, draft));
+    const run = { id: lastId, draft, report, contacts, path, floor, isLaid: before?.isLaid ?? false };
+    const kept = runs.filter((other) => other !== before);
     const spare = kept.findIndex(({ isLaid }) => !isLaid);
     if (kept.length >= MOST_RUNS) kept.splice(Math.max(spare, 0), 1);
     state.set({ runs: [...kept, run] });
@@ -59,8 +63,9 @@ export function createComparing(state, { onError }) {
           floor,
         );
       } catch (error) {
-        // One strategy that does not apply is no reason to stop.
-        if (error instanceof Cancelled) throw error;
+        // One strategy that cannot be planned is no reason to stop; a planner that broke down is.
+        if (!(error instanceof PlannerError) || BROKEN.has(error.code)) throw error;
+        state.set({ unfit: [...state.get().unfit, { name, message: error.message }] });
       }
     }
   }
@@ -75,7 +80,7 @@ export function createComparing(state, { onError }) {
     async run() {
       const { draft } = state.get();
       if (!draft || (draft.spec.source.kind === 'file' && !draft.source.bytes)) return;
-      state.set({ comparison: { name: '', fraction: 0 } });
+      state.set({ comparison: { name: '', fraction: 0 }, unfit: [] });
       try {
         await runAll(draft, (part) => state.get().comparison && state.set({ comparison: part }));
       } catch (error) {
@@ -96,7 +101,7 @@ export function createComparing(state, { onError }) {
       state.set({ runs });
     },
 
-    clear: () => state.set({ runs: [] }),
+    clear: () => state.set({ runs: [], unfit: [] }),
   };
 }
 

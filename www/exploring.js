@@ -21,6 +21,10 @@ export function createExploring(state, { onError }) {
 
   const load = () => {
     study ??= import('./study/study.js').then(({ createStudy }) => createStudy());
+    // Without a network it may be there the next time.
+    study.catch(() => {
+      study = null;
+    });
     return study;
   };
 
@@ -30,12 +34,14 @@ export function createExploring(state, { onError }) {
   }
 
   /** Finds out what is cut when, once somebody goes back along a proven path. @param {State} now */
-  async function refreshRemoval({ outcome, planned, at, removal }) {
+  async function refreshRemoval({ outcome, planned, at, removal, removing }) {
     if (!outcome || !planned || !outcome.files || !outcome.excess) return;
     if (at >= 1 || asked.removal === outcome || removal?.outcome === outcome) return;
     asked.removal = outcome;
     state.set({ removing: 0 });
     try {
+      // Nobody waits for what another path cuts.
+      if (removing !== null) (await load()).cancel();
       const apt = await outcome.files.apt.text();
       const found = await (await load()).removed(planned, apt, (_, fraction) => {
         if (asked.removal === outcome) state.set({ removing: fraction });
@@ -49,7 +55,7 @@ export function createExploring(state, { onError }) {
   }
 
   /** Lays the passes out over the parameters while somebody looks at these. @param {State} now */
-  async function refreshDomain({ isFlat, outcome, planned, picked }) {
+  async function refreshDomain({ isFlat, outcome, planned }) {
     if (!isFlat || !outcome || !planned || asked.domain === outcome.contacts) return;
     const { contacts } = outcome;
     asked.domain = contacts;
@@ -58,9 +64,10 @@ export function createExploring(state, { onError }) {
     if (isFile) return;
     try {
       const domain = await (await load()).domain(planned, contacts, ARROWS);
-      if (asked.domain === contacts) state.set({ domain, picked });
+      if (asked.domain === contacts) state.set({ domain });
     } catch (error) {
-      asked.domain = null;
+      // What was stopped is asked for again; what failed would fail again.
+      if (error instanceof Cancelled) asked.domain = null;
       tell(error);
     }
   }

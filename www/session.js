@@ -53,7 +53,7 @@ export function createSession(planner, state, { onProblem, onError, onProven }) 
     if (pictured.source === key.source && pictured.bytes === key.bytes) return;
     pictured = key;
     try {
-      const picture = await planner.call('preview', [withUnit(draft.spec), key.bytes]);
+      const picture = await planner.call('preview', [shapeOf(draft.spec), key.bytes]);
       if (pictured !== key) return;
       key.done = true;
       waiting.picture = picture;
@@ -126,7 +126,7 @@ export function createSession(planner, state, { onProblem, onError, onProven }) 
     const mine = drawn;
     mine.busy = true;
     try {
-      const spec = write(withUnit(draft.spec), 'source.face', next.index);
+      const spec = write(shapeOf(draft.spec), 'source.face', next.index);
       const made = await planner.call('preview', [spec, bytes]);
       if (drawn === mine) state.set({ faces: new Map([...state.get().faces, [next.index, made]]) });
     } catch (error) {
@@ -230,7 +230,13 @@ export function createSession(planner, state, { onProblem, onError, onProven }) 
   };
 }
 
-/** Until the unit is known the surface is drawn as if it were in millimetres. @param {Spec} spec */
-function withUnit(spec) {
-  return spec.source.kind === 'file' && !spec.source.unit ? write(spec, 'source.unit', 'mm') : spec;
+/**
+ * What is needed to draw the surface: the first module need not know how it is cut. Until the unit is known it is drawn as if it were in
+ * millimetres.
+ *
+ * @param {Spec} spec @returns {Spec}
+ */
+function shapeOf({ version, name, source }) {
+  const spec = { version, name, source };
+  return source.kind === 'file' && !source.unit ? write(spec, 'source.unit', 'mm') : spec;
 }

@@ -34,6 +34,7 @@ function empty() {
     picking: null,
     runs: [],
     comparison: null,
+    unfit: [],
     removal: null,
     removing: null,
     picked: null,

@@ -74,10 +74,11 @@
  * @typedef {{ schema: Schema | null, gallery: GalleryItem[], draft: Draft | null, canUndo: boolean,
  *   canRedo: boolean, picture: Picture | null, outline: Float32Array | null, faces: Map<number, Picture>, outcome: Outcome | null, planned: Draft | null,
  *   job: Job | null, problem: Problem | null, chart: Chart, layers: Layers, at: number, dragging: boolean,
- *   picking: string | null, runs: Run[], comparison: { name: string, fraction: number } | null, removal: Removal | null,
+ *   picking: string | null, runs: Run[], comparison: { name: string, fraction: number } | null,
+ *   unfit: { name: string, message: string }[], removal: Removal | null,
  *   removing: number | null, picked: Picked | null, range: [number, number] | null, isFlat: boolean,
  *   recent: { name: string, size: number }[], domain: import('./study/study.js').DomainPicture | null }} State
- * `removing` is how far the search for what is cut when has come; `range` is the part of the colours' scale that is spread over all of
+ * `unfit` are the strategies that the comparison could not plan; `removing` is how far the search for what is cut when has come; `range` is the part of the colours' scale that is spread over all of
  * them; `isFlat` tells that the domain of the parameters is on show.
  * `picking` is the path of the field to which clicks on the surface append points. `planned` is the draft that `outcome` belongs to; `at` is the share of the path that is shown, 0 to 1; `faces` are the
  * pictures of a file's faces as far as they are made.

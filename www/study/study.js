@@ -25,7 +25,12 @@ export function createStudy() {
     const same =
       held.source === source && held.strategy === strategy && held.cutter === cutter && held.bytes === bytes;
     if (!same) held = { source, strategy, cutter, bytes, key: held.key + 1 };
-    return planner.call('surface', [held.key, spec, same ? null : bytes]);
+    const holding = planner.call('surface', [held.key, spec, same ? null : bytes]);
+    // A worker that was stopped holds nothing.
+    holding.catch(() => {
+      held = { ...held, source: null };
+    });
+    return holding;
   }
 
   return {

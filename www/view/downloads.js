@@ -7,7 +7,7 @@ import { bytes } from '../format.js';
 import { t } from '../text/index.js';
 import { h, icon } from './dom.js';
 
-/** @typedef {{ id: string, ending: string, blob: Blob }} Item */
+/** @typedef {{ id: string, ending: string, size: number, make: () => Blob }} Item */
 
 /**
  * @param {HTMLElement} root
@@ -81,12 +81,16 @@ export function createDownloads(root, { onDrawing, onPicture, onDomain, onSheet 
       const items = [];
       if (outcome?.files) {
         const { apt, nc, csv, report } = outcome.files;
-        items.push({ id: 'apt', ending: 'apt', blob: apt });
-        if (nc) items.push({ id: 'nc', ending: 'nc', blob: nc });
-        items.push({ id: 'csv', ending: 'csv', blob: csv });
-        items.push({ id: 'report', ending: 'report.json', blob: report });
+        const item = (/** @type {string} */ id, /** @type {string} */ ending, /** @type {Blob} */ blob) =>
+          items.push({ id, ending, size: blob.size, make: () => blob });
+        item('apt', 'apt', apt);
+        if (nc) item('nc', 'nc', nc);
+        item('csv', 'csv', csv);
+        item('report', 'report.json', report);
       }
-      items.push({ id: 'spec', ending: 'job.json', blob: projectOf(draft) });
+      // A surface is only written out when somebody wants the file.
+      const size = jobOf(draft).size + Math.ceil((draft.source.bytes?.length ?? 0) / 3) * 4;
+      items.push({ id: 'spec', ending: 'job.json', size, make: () => projectOf(draft) });
       list.replaceChildren(...items.map((item) => button(item, subject)));
     },
   };
@@ -123,13 +127,13 @@ const svg = (text) => text && new Blob([text], { type: 'image/svg+xml' });
 const png = (canvas) => new Promise((resolve) => (canvas ? canvas.toBlob(resolve) : resolve(null)));
 
 /** @param {Item} item @param {Draft} draft */
-function button({ id, ending, blob }, draft) {
+function button({ id, ending, size, make }, draft) {
   return h(
     'button',
-    { type: 'button', 'data-save': id, onclick: () => save(blob, `${stem(draft)}.${ending}`) },
+    { type: 'button', 'data-save': id, onclick: () => save(make(), `${stem(draft)}.${ending}`) },
     icon('save'),
     h('span', {}, t(`save.${id}`)),
-    h('small', {}, t('save.size', { ending, size: bytes(blob.size) })),
+    h('small', {}, t('save.size', { ending, size: bytes(size) })),
   );
 }
 

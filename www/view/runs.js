@@ -52,6 +52,8 @@ export function createRuns(root, { onCompare, onCancel, onLay, onTake, onClear }
     table,
   );
   root.append(h('p', { class: 'help' }, t('runs.about')), compare, busy, scroll, floor, clear);
+  const unfit = h('ul', { class: 'help' });
+  root.append(unfit);
   let by = 'length';
   /** @type {unknown[]} */
   let shown = [];
@@ -77,6 +79,11 @@ export function createRuns(root, { onCompare, onCancel, onLay, onTake, onClear }
     say(floor, least ? t('runs.floor.note', { length: format.length(least) }) : '');
     floor.hidden = !least;
     scroll.hidden = clear.hidden = runs.length === 0;
+    unfit.replaceChildren(
+      ...state.unfit.map(({ name, message }) =>
+        h('li', {}, `${prettify(name.replaceAll('-', '_'))}: ${message}`),
+      ),
+    );
     table.replaceChildren(
       h('caption', {}, t('runs.caption')),
       h(
@@ -132,13 +139,13 @@ export function createRuns(root, { onCompare, onCancel, onLay, onTake, onClear }
     /** @param {State} state */
     update(state) {
       last = state;
-      const { comparison, runs, draft, planned } = state;
+      const { comparison, runs, draft, planned, unfit: failed } = state;
       busy.hidden = comparison === null;
       compare.hidden = comparison !== null;
       compare.disabled = !draft;
       bar.value = comparison?.fraction ?? 0;
       say(phase, comparison ? t('runs.at', { name: prettify(comparison.name.replaceAll('-', '_')) }) : '');
-      const now = [runs, draft?.spec.source, draft?.source.bytes, planned];
+      const now = [runs, failed, draft?.spec.source, draft?.source.bytes, planned];
       if (now.every((part, i) => part === shown[i]) && shown.length > 0) return;
       shown = now;
       fill(state);
