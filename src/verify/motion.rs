@@ -19,10 +19,6 @@ pub(super) struct Piece {
     /// Length of `travel`.
     length: f64,
     /// The move of the path that this is, counted from 0.
-    #[cfg_attr(
-        not(feature = "study"),
-        expect(dead_code, reason = "only told when somebody asks what is cut when")
-    )]
     step: u32,
 }
 

@@ -145,22 +145,19 @@ test('a path is looked at closely: what it cuts when, places, parameters, drawin
 test('a planner that breaks down is told of, loses nothing, and plans again', async ({ page }) => {
   await open(page);
   const before = await figure(page, 'cut').textContent();
-  await set(page, 'tolerance.scallop_mm', 0.02);
-  // So fine that the proof takes seconds.
-  await set(page, 'verify.spacing_mm', 0.02);
-  await plan(page);
-  await expect(page.locator('html[data-job=plan]')).toHaveCount(1);
+  // As if the module had met what it holds for impossible, in this worker alone.
   const [worker] = page.workers().filter((one) => /worker/.test(one.url()));
   await worker.evaluate(() => {
-    setTimeout(() => {
+    JSON.stringify = () => {
       throw new WebAssembly.RuntimeError('unreachable');
-    });
+    };
   });
+  await set(page, 'tolerance.scallop_mm', 0.02);
+  await plan(page);
   await expect(page.locator('.notice')).toContainText('stopped unexpectedly');
   await expect(page.locator('html[data-job=plan]')).toHaveCount(0);
-  expect(await figure(page, 'cut').textContent()).toMatch(/mm$/);
+  await expect(figure(page, 'cut')).toHaveText(before);
   await expect(page.locator('[name="tolerance.scallop_mm"]')).toHaveValue('0.02');
-  await set(page, 'verify.spacing_mm', 1);
   await set(page, 'tolerance.scallop_mm', 0.08);
   await plan(page);
   await expect(page.locator('.stale')).toBeHidden();

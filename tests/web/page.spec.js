@@ -229,7 +229,7 @@ test('the side is flipped, and a saved job opens again', async ({ page }) => {
 test('everything is reached by the keyboard', async ({ page }) => {
   await visit(page);
   const reached = new Set();
-  for (let i = 0; i < 80; i += 1) {
+  for (let i = 0; i < 140; i += 1) {
     await page.keyboard.press('Tab');
     const name = await page.evaluate(() => {
       const { activeElement: e } = document;

@@ -64,7 +64,10 @@ export function formula(text) {
       return /\p{L}/u.test(sign) ? m('mi', sign) : m('mo', sign);
     }
     if (/^[0-9]/.test(token)) return m('mn', token);
-    return m(/^[a-zA-Z]/.test(token) ? 'mi' : 'mo', token === '-' ? '−' : token);
+    const sign = m(/^[a-zA-Z]/.test(token) ? 'mi' : 'mo', token === '-' ? '−' : token);
+    // Nothing here is so tall that brackets must grow with it.
+    if ('()|'.includes(token)) sign.setAttribute('stretchy', 'false');
+    return sign;
   }
 
   /** @param {string} end @returns {Element} */
