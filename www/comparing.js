@@ -5,8 +5,9 @@
  */
 import { PlannerError } from './protocol.js';
 
-/** Runs that are kept; the oldest goes first, unless it is laid over the picture. */
+/** Runs that are kept, and points of all their paths: these take 44 bytes each. The oldest goes first, unless it is laid over the picture. */
 const MOST_RUNS = 24;
+const MOST_POINTS = 4e6;
 /** What is no answer of the planner. */
 const BROKEN = new Set(['trap', 'worker', 'compile']);
 /** Share of a strategy's progress that planning has. */
@@ -29,8 +30,16 @@ export function createComparing(state, { onError }) {
     /** @type {Run} */
     const run = { id: lastId, draft, report, contacts, path, floor, isLaid: before?.isLaid ?? false };
     const kept = runs.filter((other) => other !== before);
-    const spare = kept.findIndex(({ isLaid }) => !isLaid);
-    if (kept.length >= MOST_RUNS) kept.splice(Math.max(spare, 0), 1);
+    const points = () => kept.reduce((sum, other) => sum + other.report.points, report.points);
+    while (kept.length > 0 && (kept.length >= MOST_RUNS || points() > MOST_POINTS)) {
+      kept.splice(
+        Math.max(
+          kept.findIndex(({ isLaid }) => !isLaid),
+          0,
+        ),
+        1,
+      );
+    }
     state.set({ runs: [...kept, run] });
   }
 
