@@ -4,8 +4,11 @@
  * @import { Draft, Problem, Spec, State, Group } from './types.js'
  */
 
+import { createComparing } from './comparing.js';
+import { compile } from './compiling.js';
+import { createExploring } from './exploring.js';
 import { createForm } from './form.js';
-import { createKeeping } from './keeping.js';
+import { createKeeping, recentFiles } from './keeping.js';
 import { createMachines } from './machine/open.js';
 import { keepOffline, update } from './offline.js';
 import { createOpener, LARGEST_FILE } from './opening.js';
@@ -15,16 +18,21 @@ import { BadLink, isLink, opened } from './share/link.js';
 import { completed, read, withFittingVariants, withVariant, write } from './spec.js';
 import { createState } from './state.js';
 import { language, switchLanguage, t } from './text/index.js';
+import { isInch, switchUnit } from './units.js';
 import { createAction } from './view/action.js';
 import { createStepoverChart } from './view/chart-stepover.js';
 import { createContact } from './view/contact.js';
 import { attribute, h, icon } from './view/dom.js';
+import { createDomain } from './view/domain.js';
 import { createDownloads } from './view/downloads.js';
 import { createKeys } from './view/keys.js';
 import { createLegend } from './view/legend.js';
 import { createNotice } from './view/notice.js';
+import { createPicked } from './view/picked.js';
 import { createPlayback } from './view/playback.js';
 import { createResults } from './view/results.js';
+import { createRuns } from './view/runs.js';
+import { printSheet } from './view/setup-sheet.js';
 import { createShare } from './view/share.js';
 import { createSource } from './view/source.js';
 import { createTools } from './view/tools.js';
@@ -37,26 +45,25 @@ function place(id) {
   return element;
 }
 
-async function compile() {
-  const response = await fetch(moduleAddress);
-  if (!response.ok) throw new Error(`${response.status} ${response.statusText}`);
-  // A host that does not know the type of WebAssembly is no reason to fail.
-  const known = response.headers.get('content-type')?.startsWith('application/wasm');
-  return known ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
-}
-
-const planner = createPlanner(compile);
+const planner = createPlanner(() => compile(moduleAddress));
 const state = createState(render);
 const session = createSession(planner, state, {
   onProblem: complain,
   onError: fail,
+  onProven: (draft, outcome) => !isEmbedded && comparing.keep(draft, outcome),
 });
+const comparing = createComparing(state, { onError: fail });
+const exploring = createExploring(state, { onError: fail });
 const open = createOpener(planner, state, {
   onDraft: load,
   onComplaint: (message) => show({ code: '', message }),
+  onSurface: async (name, bytes) => {
+    await recentFiles.keep(name, bytes);
+    showRecent();
+  },
   onError: fail,
 });
-/** @type {{ update: (state: State) => void, look: (view: string) => void } | null} */
+/** @type {ReturnType<typeof import('./view/canvas3d.js').createCanvas3d> | null} */
 let canvas = null;
 let isDrawn = false;
 /** In a frame of another page there is the picture alone. */
@@ -95,7 +102,12 @@ const other = h(
   t('action.language'),
 );
 document.documentElement.lang = t('locale');
-place('history').append(other, help);
+const unit = h(
+  'button',
+  { type: 'button', class: 'quiet', name: 'unit', title: t('action.unit.hint'), onclick: switchUnit },
+  t(isInch ? 'action.unit.mm' : 'action.unit'),
+);
+place('history').append(unit, other, help);
 const renew = h(
   'button',
   { type: 'button', class: 'small', name: 'update', onclick: update },
@@ -108,6 +120,11 @@ const keeping = createKeeping({ onFull: () => show({ code: 'full', message: '' }
 const source = createSource(place('source'), {
   onPick: pick,
   onFiles: open,
+  onRecent: openAgain,
+  onForget: async (name) => {
+    await recentFiles.forget(name);
+    showRecent();
+  },
   onFace: (index) => editSource('face', index),
   onUnit: (unit) => editSource('unit', unit),
   onScale: (scale) => editSource('scale', scale),
@@ -120,13 +137,33 @@ const form = createForm(place('settings'), {
   onChart: () => editChart({ isOpen: true }),
   onPicking: (path) => state.set({ picking: state.get().picking === path ? null : path }),
 });
-const downloads = createDownloads(place('save'));
+const domain = createDomain(place('domain'));
+const downloads = createDownloads(place('save'), {
+  onDrawing: exploring.drawing,
+  onPicture: () => canvas?.copy() ?? null,
+  onDomain: domain.drawing,
+  onSheet: () => printSheet(state.get(), canvas?.copy() ?? null),
+});
 const playback = createPlayback(place('scrub'), { onAt: (at) => state.set({ at }) });
+const tools = createTools(
+  { views: place('views'), layers: place('layers') },
+  {
+    onView: (view) => canvas?.look(view),
+    onParallel: (isParallel) => canvas?.project(isParallel),
+    onFlat: (isFlat) => state.set({ isFlat }),
+    onLayers: (layers) => {
+      // A range belongs to what it is the range of.
+      const range = layers.tint === state.get().layers.tint ? state.get().range : null;
+      state.set({ layers, range });
+    },
+  },
+);
 const views = [
   playback,
+  tools,
   source,
   form,
-  createAction(place('action'), { onPlan: session.plan, onCancel: () => planner.cancel() }),
+  createAction(place('action'), { onPlan: session.plan, onCancel: session.cancel }),
   createNotice(place('notice'), { onClose: () => state.set({ problem: null }) }),
   createResults(place('results')),
   createContact(place('contact')),
@@ -135,18 +172,20 @@ const views = [
     { panel: place('machine-panel'), drawing: place('machine-drawing') },
     { onAt: (at) => state.set({ at }) },
   ),
-  createLegend(place('legend')),
+  createLegend(place('legend'), { onRange: (range) => state.set({ range }) }),
+  createPicked(place('picked'), { onClose: () => state.set({ picked: null }) }),
+  createRuns(place('runs'), {
+    onCompare: comparing.run,
+    onCancel: comparing.cancel,
+    onLay: comparing.lay,
+    onTake: (draft) => state.edit(draft, ''),
+    onClear: comparing.clear,
+  }),
+  domain,
   createStepoverChart(place('chart'), {
     onClose: () => editChart({ isOpen: false }),
     onRadius: (radius) => editChart({ radius }),
   }),
-  createTools(
-    { views: place('views'), layers: place('layers') },
-    {
-      onView: (view) => canvas?.look(view),
-      onLayers: (layers) => state.set({ layers }),
-    },
-  ),
 ];
 
 /** @param {State} now */
@@ -156,10 +195,15 @@ function render(now) {
   undo.disabled = !now.canUndo;
   redo.disabled = !now.canRedo;
   document.body.classList.toggle('dragging', now.dragging);
+  // What is not filled yet is not shown either: it would only move.
+  const isFilled = now.draft !== null || now.problem !== null;
+  attribute(document.documentElement, 'data-filled', isFilled ? '' : null);
+  if (now.outcome || now.problem) document.documentElement.dataset.planned = '';
   // Ready is when there is something to look at, or word of why not.
   if (isDrawn && (now.outcome || now.problem)) document.documentElement.dataset.ready = '';
   attribute(document.documentElement, 'data-job', now.job?.op ?? null);
   session.refresh(now);
+  exploring.refresh(now);
   // What is looked at in a course page is nobody's work.
   if (!isEmbedded) keeping.update(now.draft);
 }
@@ -222,9 +266,29 @@ function pick(id) {
 /** Makes another draft the one that is worked on; what was computed belongs to the one before. @param {Draft} draft */
 function load(draft) {
   const { schema } = state.get();
-  planner.cancel();
+  session.cancel();
   state.edit(schema ? withFittingVariants(schema, draft) : draft, '');
-  state.set({ outcome: null, planned: null, picture: null, job: null, at: 1, picking: null });
+  state.set({
+    outcome: null,
+    planned: null,
+    picture: null,
+    job: null,
+    at: 1,
+    picking: null,
+    picked: null,
+    range: null,
+  });
+}
+
+async function showRecent() {
+  const files = await recentFiles.all();
+  state.set({ recent: files.map(({ name, bytes }) => ({ name, size: bytes.length })) });
+}
+
+/** @param {string} name */
+async function openAgain(name) {
+  const found = (await recentFiles.all()).find((file) => file.name === name);
+  if (found) open([new File([/** @type {BlobPart} */ (found.bytes)], name)]);
 }
 
 /** @param {unknown} error */
@@ -308,6 +372,13 @@ const SHORTCUTS = {
   'ctrl y': () => state.redo(),
   'ctrl s': () => downloads.saveJob(),
   'ctrl o': () => source.pickFile(),
+  1: () => canvas?.look('top'),
+  2: () => canvas?.look('front'),
+  3: () => canvas?.look('right'),
+  4: () => canvas?.look('iso'),
+  0: () => canvas?.look('fit'),
+  o: () => tools.switchLens(),
+  u: () => state.set({ isFlat: !state.get().isFlat }),
   ' ': () => playback.toggle(),
   ',': () => playback.step(-1),
   '.': () => playback.step(1),
@@ -347,6 +418,7 @@ async function start() {
         onFace: (index) => editSource('face', index),
         onAt: (at) => state.set({ at }),
         onPoint: appendPoint,
+        onPick: exploring.pick,
       });
       canvas.update(state.get());
     })
@@ -371,6 +443,7 @@ async function start() {
   await drawing;
   isDrawn = true;
   state.set({});
+  showRecent();
   // Last: what it loads once more must not delay what somebody waits for.
   keepOffline(() => {
     renew.hidden = false;

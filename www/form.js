@@ -6,6 +6,7 @@
 import { plain } from './format.js';
 import { chosen, fault, fieldsOf, fitting, pointsOf, pointsText, read, shapeOf } from './spec.js';
 import { has, prettify, t } from './text/index.js';
+import { shownIn } from './units.js';
 import { createCutterSketch } from './view/cutter-sketch.js';
 import { attribute, h, icon, say } from './view/dom.js';
 
@@ -35,7 +36,7 @@ export function createForm(root, { onEdit, onVariant, onChart, onPicking }) {
     icon('chart'),
     t('chart.open'),
   );
-  let shown = '';
+  let built = '';
   /** On a phone the groups are folded: the result stands below them. */
   const isWide = matchMedia('(width >= 760px)').matches;
 
@@ -117,7 +118,7 @@ export function createForm(root, { onEdit, onVariant, onChart, onPicking }) {
           )
         : null;
     const message = h('p', { class: 'message', id: `${id}-message`, 'aria-live': 'polite' });
-    const unit = field.unit ? h('span', { class: 'unit' }, t(`unit.${field.unit}`, {}, field.unit)) : null;
+    const unit = field.unit ? h('span', { class: 'unit' }, unitText(field)) : null;
     const help = has(`help.${path}`) ? h('p', { class: 'help', id: `${id}-help` }, t(`help.${path}`)) : null;
     const row = h(
       'div',
@@ -160,12 +161,12 @@ export function createForm(root, { onEdit, onVariant, onChart, onPicking }) {
       type: 'number',
       name: path,
       // The step is for the arrow keys; values between the steps are as good.
-      step: field.step ?? (field.type === 'integer' ? 1 : 'any'),
-      min: field.min,
-      max: field.max,
+      step: shownIn(field.unit)[0] !== 1 ? 'any' : (field.step ?? (field.type === 'integer' ? 1 : 'any')),
+      min: shown(field, field.min),
+      max: shown(field, field.max),
       inputmode: field.type === 'integer' ? 'numeric' : 'decimal',
       autocomplete: 'off',
-      oninput: () => onEdit(path, Number.isNaN(input.valueAsNumber) ? null : input.valueAsNumber),
+      oninput: () => onEdit(path, stored(field, input.valueAsNumber)),
     });
     return input;
   }
@@ -183,8 +184,9 @@ export function createForm(root, { onEdit, onVariant, onChart, onPicking }) {
         if (button) attribute(button, 'aria-pressed', String(state.picking === path));
       } else if (input instanceof HTMLInputElement) {
         const typed = Number.isNaN(input.valueAsNumber) ? null : input.valueAsNumber;
-        if (typed !== (value ?? null))
-          input.value = value === null || value === undefined ? '' : String(value);
+        const wanted = shown(field, value);
+        if (typed !== (wanted ?? null))
+          input.value = wanted === null || wanted === undefined ? '' : String(wanted);
       } else input.value = String(value);
       const own = faultText(field, value);
       const told = state.problem?.field === path ? state.problem.message : '';
@@ -205,10 +207,10 @@ export function createForm(root, { onEdit, onVariant, onChart, onPicking }) {
       if (groups.size === 0) build(schema);
       const names = (/** @type {Group} */ group) => fieldsOf(group, spec).map((field) => field.name);
       const kinds = `${shape} ${schema.groups.map((group) => [chosen(group, spec)?.kind, ...names(group)]).join(' ')}`;
-      if (kinds !== shown) {
+      if (kinds !== built) {
         const focused = /** @type {HTMLSelectElement | null} */ (document.activeElement)?.name;
         fillGroups(schema, spec, shape);
-        shown = kinds;
+        built = kinds;
         const again = focused ? root.querySelector(`[name="${focused}"]`) : null;
         if (again instanceof HTMLElement) again.focus();
       }
@@ -236,12 +238,32 @@ export function createForm(root, { onEdit, onVariant, onChart, onPicking }) {
   };
 }
 
+/** The unit that a field is shown in. @param {Field} field */
+function unitText({ unit }) {
+  const [, shown] = shownIn(unit);
+  return t(`unit.${shown}`, {}, shown);
+}
+
+/** A field's value in the unit that is shown; what is no number stays as it is. @param {Field} field @param {any} value */
+function shown({ unit }, value) {
+  const [factor] = shownIn(unit);
+  return typeof value === 'number' && factor !== 1 ? Number((value * factor).toPrecision(6)) : value;
+}
+
+/** What was typed, in the unit of the field; nothing if it is no number. @param {Field} field @param {number} typed */
+function stored({ unit }, typed) {
+  const [factor] = shownIn(unit);
+  if (Number.isNaN(typed)) return null;
+  return factor === 1 ? typed : Number((typed / factor).toPrecision(12));
+}
+
 /** What is wrong with a value, in words; '' if nothing. @param {Field} field @param {any} value */
 function faultText(field, value) {
   const code = fault(field, value);
   if (!code) return '';
-  const unit = field.unit ? ` ${t(`unit.${field.unit}`, {}, field.unit)}` : '';
-  const bound = (/** @type {number | undefined} */ at) => (at === undefined ? '' : plain(at) + unit);
+  const unit = field.unit ? ` ${unitText(field)}` : '';
+  const bound = (/** @type {number | undefined} */ at) =>
+    at === undefined ? '' : plain(shown(field, at)) + unit;
   return t(`fault.${code}`, { min: bound(field.min), max: bound(field.max) });
 }
 
@@ -253,8 +275,8 @@ function brief(group, spec) {
     const value = read(spec, `${group.path}.${field.name}`);
     if (words.length >= 2) break;
     if (typeof value === 'number' && Number.isFinite(value)) {
-      const unit = field.unit ? ` ${t(`unit.${field.unit}`, {}, field.unit)}` : '';
-      words.push(plain(value) + unit);
+      const unit = field.unit ? ` ${unitText(field)}` : '';
+      words.push(plain(shown(field, value)) + unit);
     } else if (typeof value === 'string' && kind === undefined) {
       words.push(t(`choice.${value}`, {}, prettify(value)));
     }

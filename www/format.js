@@ -1,5 +1,6 @@
 /** Numbers for people, each with its unit. */
 import { t } from './text/index.js';
+import { isInch, shownIn } from './units.js';
 
 const SPACE = ' ';
 
@@ -15,17 +16,24 @@ export function plain(value) {
   return new Intl.NumberFormat(t('locale'), { maximumSignificantDigits: 7 }).format(value).replace(/^-/, '−');
 }
 
-/** @param {number} value @param {string} unit */
+/** @param {number} value @param {string} unit Of the value; it is shown in whichever unit people chose. */
 function withUnit(value, unit) {
-  const size = Math.abs(value);
-  return `${fixed(value, size >= 1000 ? 0 : size >= 10 ? 1 : 2)}${SPACE}${unit}`;
+  const [factor, shown] = shownIn(unit);
+  const number = value * factor;
+  const size = Math.abs(number);
+  // An inch is long: it takes two digits more.
+  const more = isInch ? 2 : 0;
+  return `${fixed(number, size >= 1000 ? 0 : size >= 10 ? 1 : 2 + more)}${SPACE}${shown}`;
 }
 
 /** @param {number} mm */
 export const length = (mm) => withUnit(mm, 'mm');
 
 /** @param {number} mmPerMin */
-export const feed = (mmPerMin) => `${fixed(mmPerMin, 0)}${SPACE}mm/min`;
+export const feed = (mmPerMin) => {
+  const [factor, unit] = shownIn('mm/min');
+  return `${fixed(mmPerMin * factor, isInch ? 1 : 0)}${SPACE}${unit}`;
+};
 
 /** @param {number} value */
 export const degrees = (value) => `${fixed(value, 1)}°`;
@@ -33,8 +41,9 @@ export const degrees = (value) => `${fixed(value, 1)}°`;
 /** @param {number} mm2 */
 export const area = (mm2) => withUnit(mm2, 'mm²');
 
-/** Millimetres as micrometres. @param {number} mm */
+/** Millimetres as micrometres, or as millionths of an inch. @param {number} mm */
 export function micron(mm) {
+  if (isInch) return `${fixed(Math.abs(mm) < 5e-6 ? 0 : (mm / 25.4) * 1e6, 0)}${SPACE}µin`;
   const um = mm * 1000;
   const digits = Math.abs(um) >= 100 ? 0 : Math.abs(um) >= 1 ? 1 : 2;
   return `${fixed(Math.abs(um) < 0.005 ? 0 : um, digits)}${SPACE}µm`;

@@ -9,6 +9,7 @@
 
 const DATABASE = 'stepover';
 const STORE = 'drafts';
+const FILES = 'files';
 /** Tabs of which something is kept. */
 const MOST_TABS = 6;
 /** Edits that follow one another faster are written once. */
@@ -19,8 +20,12 @@ const REST_MS = 400;
 /** @param {string} name @returns {Promise<IDBDatabase>} */
 function database(name) {
   return new Promise((resolve, reject) => {
-    const request = indexedDB.open(name, 1);
-    request.onupgradeneeded = () => request.result.createObjectStore(STORE, { keyPath: 'tab' });
+    const request = indexedDB.open(name, 2);
+    request.onupgradeneeded = () => {
+      const { result } = request;
+      if (!result.objectStoreNames.contains(STORE)) result.createObjectStore(STORE, { keyPath: 'tab' });
+      if (!result.objectStoreNames.contains(FILES)) result.createObjectStore(FILES, { keyPath: 'name' });
+    };
     request.onsuccess = () => resolve(request.result);
     request.onerror = () => reject(request.error);
   });
@@ -28,17 +33,18 @@ function database(name) {
 
 /**
  * @template T
- * @param {string} name
+ * @param {string} name Of the database.
  * @param {IDBTransactionMode} mode
  * @param {(store: IDBObjectStore) => IDBRequest<T>} act
+ * @param {string} [store] Its name.
  * @returns {Promise<T>}
  */
-async function within(name, mode, act) {
+async function within(name, mode, act, store = STORE) {
   const open = await database(name);
   try {
     return await new Promise((resolve, reject) => {
-      const transaction = open.transaction(STORE, mode);
-      const request = act(transaction.objectStore(STORE));
+      const transaction = open.transaction(store, mode);
+      const request = act(transaction.objectStore(store));
       transaction.oncomplete = () => resolve(request.result);
       transaction.onabort = () => reject(transaction.error);
     });
@@ -46,6 +52,45 @@ async function within(name, mode, act) {
     open.close();
   }
 }
+
+/** Files of which copies are kept, and how large they may be together. */
+const MOST_FILES = 6;
+const MOST_BYTES = 96e6;
+
+/** @typedef {{ name: string, time: number, bytes: Uint8Array }} KeptFile */
+
+/** Files that were opened last, the newest first; without room or leave to store there are none. */
+export const recentFiles = {
+  /** @returns {Promise<KeptFile[]>} */
+  async all() {
+    try {
+      /** @type {KeptFile[]} */
+      const found = await within(DATABASE, 'readonly', (store) => store.getAll(), FILES);
+      return found.sort((a, b) => b.time - a.time);
+    } catch {
+      return [];
+    }
+  },
+
+  /** @param {string} name @param {Uint8Array} bytes */
+  async keep(name, bytes) {
+    try {
+      await within(DATABASE, 'readwrite', (store) => store.put({ name, time: Date.now(), bytes }), FILES);
+      let together = 0;
+      for (const [k, file] of (await this.all()).entries()) {
+        together += file.bytes.length;
+        if (k > 0 && (k >= MOST_FILES || together > MOST_BYTES)) await this.forget(file.name);
+      }
+    } catch {
+      // The file is open all the same.
+    }
+  },
+
+  /** @param {string} name */
+  async forget(name) {
+    await within(DATABASE, 'readwrite', (store) => store.delete(name), FILES).catch(() => {});
+  },
+};
 
 /** A name that a reload keeps; a duplicated tab is one tab with its original until either is edited. */
 function nameOfTab() {

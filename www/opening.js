@@ -10,21 +10,33 @@ import { t } from './text/index.js';
 /** Larger files than this do not fit the planner's memory together with what is computed from them. */
 export const LARGEST_FILE = 128e6;
 
+/** The file that a job brought along. @param {{ name: unknown, base64: unknown }} inside */
+function fileOf({ name, base64 }) {
+  const text = atob(String(base64));
+  return new File([Uint8Array.from(text, (letter) => letter.charCodeAt(0))], String(name));
+}
+
 /**
  * @param {ReturnType<import('./protocol.js').createPlanner>} planner
  * @param {ReturnType<import('./state.js').createState>} state
  * @param {{ onDraft: (draft: Draft) => void, onComplaint: (text: string) => void,
- *   onError: (error: unknown) => void }} callbacks
+ *   onSurface: (name: string, bytes: Uint8Array) => void, onError: (error: unknown) => void }} callbacks
  */
-export function createOpener(planner, state, { onDraft, onComplaint, onError }) {
-  /** The job in a file, completed by the settings in force; `null` if it holds none. @param {File} file @returns {Promise<Spec | null>} */
+export function createOpener(planner, state, { onDraft, onComplaint, onSurface, onError }) {
+  /**
+   * The job in a file, completed by the settings in force, and its surface's file if it brings that; `null` if it holds none.
+   *
+   * @param {File} file
+   * @returns {Promise<{ job: Spec, surface: File | null } | null>}
+   */
   async function readJob(file) {
     if (!file.name.toLowerCase().endsWith('.json')) return null;
     try {
-      const spec = JSON.parse(await file.text());
+      const { file: inside, ...spec } = JSON.parse(await file.text());
       const { schema, draft } = state.get();
       const known = typeof spec?.source?.kind === 'string' && spec.version === (schema?.version ?? 1);
-      return known && draft && schema ? completed(schema, { ...draft.spec, ...spec }) : null;
+      if (!known || !draft || !schema) return null;
+      return { job: completed(schema, { ...draft.spec, ...spec }), surface: inside ? fileOf(inside) : null };
     } catch {
       return null;
     }
@@ -66,6 +78,7 @@ export function createOpener(planner, state, { onDraft, onComplaint, onError }) 
     const spec = job ?? { ...draft.spec, name: file.name.replace(/\.[^.]*$/, '') };
     const from = job?.source.kind === 'file' ? { ...fresh, ...job.source, path: file.name } : fresh;
     onDraft({ spec: { ...spec, source: from }, source: opened });
+    onSurface(file.name, bytes);
   }
 
   /** @param {File[]} files */
@@ -79,11 +92,11 @@ export function createOpener(planner, state, { onDraft, onComplaint, onError }) 
     state.set({ problem: null });
     try {
       const jobs = await Promise.all(files.map(readJob));
-      const job = jobs.find((spec) => spec !== null) ?? null;
+      const found = jobs.find((one) => one !== null) ?? null;
       // Whatever is no job is a surface: the planner says if it is not.
-      const surface = files.find((_, i) => jobs[i] === null);
-      if (surface) await openSurface(surface, job);
-      else if (job) openJob(job, files[jobs.indexOf(job)].name);
+      const surface = files.find((_, i) => jobs[i] === null) ?? found?.surface;
+      if (surface) await openSurface(surface, found?.job ?? null);
+      else if (found) openJob(found.job, files[jobs.indexOf(found)].name);
     } catch (error) {
       onError(error);
     }

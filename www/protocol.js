@@ -47,10 +47,15 @@ export function createPlanner(compile, spawn = spawnMilling) {
 
   function start() {
     const started = spawn();
-    started.onmessage = ({ data }) => receive(data);
+    let hasAnswered = false;
+    started.onmessage = ({ data }) => {
+      hasAnswered = true;
+      receive(data);
+    };
     started.onerror = (event) => {
       event.preventDefault();
-      stop(new PlannerError({ code: 'worker', message: event.message ?? '' }));
+      // One that never answered could not be loaded; the next request starts another one either way.
+      stop(new PlannerError({ code: hasAnswered ? 'trap' : 'worker', message: event.message ?? '' }));
     };
     module ??= compile();
     module.then(

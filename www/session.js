@@ -5,7 +5,7 @@
  * @import { State, Draft, Spec, Problem, Outcome } from './types.js'
  */
 import { Cancelled } from './protocol.js';
-import { firstProblem, write } from './spec.js';
+import { chosen, firstProblem, write } from './spec.js';
 
 /** Of larger files only the chosen face is drawn: each face is read from the file anew. */
 const MOST_FACES = 40;
@@ -28,9 +28,12 @@ const ANY_SHAPE = { kind: 'plane', size_mm: [1, 1] };
 /**
  * @param {ReturnType<import('./protocol.js').createPlanner>} planner
  * @param {ReturnType<import('./state.js').createState>} state
- * @param {{ onProblem: (problem: Problem) => void, onError: (error: unknown) => void }} callbacks
+ * @param {{ onProblem: (problem: Problem) => void, onError: (error: unknown) => void,
+ *   onProven: (draft: Draft, outcome: Outcome) => void }} callbacks
  */
-export function createSession(planner, state, { onProblem, onError }) {
+export function createSession(planner, state, { onProblem, onError, onProven }) {
+  /** What plans the strategies that the first module only names. @type {ReturnType<import('./protocol.js').createPlanner> | null} */
+  let second = null;
   /** @type {Pictured} */
   let pictured = { source: null, bytes: null, done: false };
   /** @type {Drawn} */
@@ -50,7 +53,7 @@ export function createSession(planner, state, { onProblem, onError }) {
     if (pictured.source === key.source && pictured.bytes === key.bytes) return;
     pictured = key;
     try {
-      const picture = await planner.call('preview', [withUnit(draft.spec), key.bytes]);
+      const picture = await planner.call('preview', [shapeOf(draft.spec), key.bytes]);
       if (pictured !== key) return;
       key.done = true;
       waiting.picture = picture;
@@ -123,7 +126,7 @@ export function createSession(planner, state, { onProblem, onError }) {
     const mine = drawn;
     mine.busy = true;
     try {
-      const spec = write(withUnit(draft.spec), 'source.face', next.index);
+      const spec = write(shapeOf(draft.spec), 'source.face', next.index);
       const made = await planner.call('preview', [spec, bytes]);
       if (drawn === mine) state.set({ faces: new Map([...state.get().faces, [next.index, made]]) });
     } catch (error) {
@@ -135,8 +138,28 @@ export function createSession(planner, state, { onProblem, onError }) {
     }
   }
 
+  /** @param {Draft} draft */
+  async function plannerOf({ spec }) {
+    const needs = state.get().schema?.groups.some((group) => chosen(group, spec)?.second);
+    if (!needs) return planner;
+    const asked = state.get().job;
+    if (!second) {
+      const { createStudyPlanner } = await import('./study/planner.js');
+      second = createStudyPlanner('strategies');
+    }
+    // Somebody may have given up meanwhile.
+    if (state.get().job !== asked) throw new Cancelled();
+    return second;
+  }
+
+  function cancel() {
+    planner.cancel();
+    second?.cancel();
+  }
+
   /** @param {Draft} draft @param {(from: number, to: number) => (phase: string, fraction: number) => void} stage */
   async function planAndProve(draft, stage) {
+    const planner = await plannerOf(draft);
     /** @type {Outcome} */
     const planned = await planner.call('plan', [draft.spec, draft.source.bytes], stage(0, PLANNING));
     showWaiting();
@@ -145,9 +168,17 @@ export function createSession(planner, state, { onProblem, onError }) {
     if (state.get().outcome !== planned) return;
     const outcome = { ...planned, ...proved, files: planned.files && { ...planned.files, ...proved.files } };
     state.set({ outcome, picture: outcome.picture ?? state.get().picture });
+    onProven(draft, outcome);
   }
 
   return {
+    /** Gives up what is being planned. */
+    cancel() {
+      cancel();
+      // What has no request under way yet would go on.
+      state.set({ job: null });
+    },
+
     /** Keeps the pictures up with the state. @param {State} now */
     refresh(now) {
       // While it plans, the planner has no time for pictures.
@@ -170,7 +201,7 @@ export function createSession(planner, state, { onProblem, onError }) {
         onProblem(problem);
         return;
       }
-      planner.cancel();
+      cancel();
       if (!pictured.done) pictured = { source: null, bytes: null, done: false };
       let job = { op: 'plan', phase: '', fraction: 0, draft };
       state.set({ job, problem: null });
@@ -199,7 +230,13 @@ export function createSession(planner, state, { onProblem, onError }) {
   };
 }
 
-/** Until the unit is known the surface is drawn as if it were in millimetres. @param {Spec} spec */
-function withUnit(spec) {
-  return spec.source.kind === 'file' && !spec.source.unit ? write(spec, 'source.unit', 'mm') : spec;
+/**
+ * What is needed to draw the surface: the first module need not know how it is cut. Until the unit is known it is drawn as if it were in
+ * millimetres.
+ *
+ * @param {Spec} spec @returns {Spec}
+ */
+function shapeOf({ version, name, source }) {
+  const spec = { version, name, source };
+  return source.kind === 'file' && !source.unit ? write(spec, 'source.unit', 'mm') : spec;
 }

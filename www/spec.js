@@ -123,7 +123,8 @@ export function withFittingVariants(schema, draft) {
     const fit = fitting(group, shape);
     const kind = read(spec, group.path)?.kind;
     if (fit.length > 0 && !fit.some((variant) => variant.kind === kind)) {
-      spec = withVariant(spec, group, fit[0].kind);
+      // What needs another module is for whoever asks for it.
+      spec = withVariant(spec, group, (fit.find(({ second }) => !second) ?? fit[0]).kind);
     }
   }
   return spec === draft.spec ? draft : { ...draft, spec };

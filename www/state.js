@@ -29,6 +29,16 @@ function empty() {
     at: 1,
     dragging: false,
     picking: null,
+    runs: [],
+    comparison: null,
+    unfit: [],
+    removal: null,
+    removing: null,
+    picked: null,
+    range: null,
+    isFlat: false,
+    domain: null,
+    recent: [],
   };
 }
 

@@ -5,7 +5,8 @@
  *   max?: number, step?: number, default: any, options?: string[], optional?: boolean,
  *   when?: { field: string, is: string[] } }} Field
  * A field counts only `when` the choice beside it is one of these words. The value of `points` is a list of `[x, y, z]`, mm.
- * @typedef {{ kind: string, fields: Field[], for?: string[] }} Variant
+ * @typedef {{ kind: string, fields: Field[], for?: string[], second?: boolean }} Variant
+ * A `second` variant is planned by the page's second module.
  * @typedef {{ id: string, path: string, variants?: Variant[], fields?: Field[] }} Group
  * @typedef {{ version: number, groups: Group[] }} Schema
  *
@@ -31,7 +32,7 @@
  * A gouge is 0 or negative; what is `null` has no bound, or was not cut.
  *
  * @typedef {{ report: Report, seconds: number, proofSeconds: number | null, path: Float32Array,
- *   contacts: Float32Array, postures: Float32Array, zones: Float32Array, zoneEdge: number, outline: Float32Array, picture: Picture | null, excess: Float32Array | null,
+ *   contacts: Float32Array, postures: Float32Array, zones: Float32Array, zoneEdge: number, outline: Float32Array, picture: Picture | null, excess: Float32Array | null, histogram?: Float32Array | null,
  *   files: { apt: Blob, nc: Blob | null, csv: Blob, report: Blob } | null, isPreview?: boolean }} Outcome
  * A preview came by link: it has no files, tips at the contacts, and a path that is simplified.
  * `path` has eight numbers a point: tip x, y, z, axis i, j, k, kind (0 cut, 1 link, 2 rapid), length so far.
@@ -55,16 +56,30 @@
  * @typedef {{ spec: Spec, source: Source }} Draft
  * Everything that a person edits, and what undo goes back to.
  *
+ * @typedef {{ id: number, draft: Draft, report: Report, contacts: Float32Array, path: Float32Array, floor: number | null,
+ *   isLaid: boolean }} Run
+ * A path that was planned and proven in this visit; `floor` is the length that no path of its postures stays below, mm.
+ *
+ * @typedef {{ u: number, v: number, least_curvature: number | null, most_curvature: number | null,
+ *   point: number[], excess: number | null }} Picked A place that somebody clicked.
+ * @typedef {{ outcome: Outcome, steps: Uint32Array, vertices: Uint32Array, excess: Float32Array }} Removal
+ * What the path cuts when: the move, the vertex of the proof's picture and what is left there from then on.
+ *
  * @typedef {{ op: string, phase: string, fraction: number, draft: Draft }} Job
  * @typedef {{ passes: boolean, links: boolean, rapids: boolean, tint: TintName, zones: boolean, side: boolean,
  *   cutter: boolean }} Layers
- * @typedef {'none' | 'excess' | 'lead' | 'yaw' | 'strip'} TintName
+ * @typedef {'none' | 'excess' | 'gouge' | 'lead' | 'yaw' | 'strip' | 'feed' | 'pass'} TintName
  * @typedef {{ values: Float32Array, low: number, high: number, color: (value: number) => number[] }} Tint
  * A number for each vertex of the picture, and sRGB for numbers, of which `low` is −1 and `high` 1.
  * @typedef {{ schema: Schema | null, gallery: GalleryItem[], draft: Draft | null, canUndo: boolean,
  *   canRedo: boolean, picture: Picture | null, outline: Float32Array | null, faces: Map<number, Picture>, outcome: Outcome | null, planned: Draft | null,
  *   job: Job | null, problem: Problem | null, chart: Chart, layers: Layers, at: number, dragging: boolean,
- *   picking: string | null }} State
+ *   picking: string | null, runs: Run[], comparison: { name: string, fraction: number } | null,
+ *   unfit: { name: string, message: string }[], removal: Removal | null,
+ *   removing: number | null, picked: Picked | null, range: [number, number] | null, isFlat: boolean,
+ *   recent: { name: string, size: number }[], domain: import('./study/study.js').DomainPicture | null }} State
+ * `unfit` are the strategies that the comparison could not plan; `removing` is how far the search for what is cut when has come; `range` is the part of the colours' scale that is spread over all of
+ * them; `isFlat` tells that the domain of the parameters is on show.
  * `picking` is the path of the field to which clicks on the surface append points. `planned` is the draft that `outcome` belongs to; `at` is the share of the path that is shown, 0 to 1; `faces` are the
  * pictures of a file's faces as far as they are made.
  */

@@ -14,8 +14,18 @@ function service() {
       for (const name of names.filter((name) => name.endsWith('.html'))) version.update(bundle[name].source);
       const fixed = readdirSync('public').sort();
       for (const name of fixed) version.update(readFileSync(`public/${name}`));
-      // The turning page and machines are kept when they are first used.
-      const first = [...names, ...fixed].filter((name) => !/\.(html|jpg)$|turning|machine/.test(name));
+      // Other pages, and what is loaded for whoever looks closely, are kept when they are first used.
+      const isOther = (name) => {
+        const { source, moduleIds = [] } = bundle[name] ?? {};
+        const others = /\/www\/(learn|machine|study|turning)\//;
+        // A worker is a file without modules: the functions that it calls tell whose it is.
+        return (
+          /\.(html|jpg)$|turning|learn|machine|study/.test(name) ||
+          (moduleIds.length > 0 && moduleIds.every((id) => others.test(id))) ||
+          (typeof source === 'string' && name.endsWith('.js') && /study_|turning_|machines_/.test(source))
+        );
+      };
+      const first = [...names, ...fixed].filter((name) => !isOther(name));
       const files = ['./', ...first.map((name) => `./${name}`)];
       const source = readFileSync('service.js', 'utf8')
         .replace('__VERSION__', version.digest('hex').slice(0, 16))
@@ -34,7 +44,7 @@ export default defineConfig({
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
     chunkSizeWarningLimit: 800,
-    rolldownOptions: { input: ['index.html', 'turning.html'] },
+    rolldownOptions: { input: ['index.html', 'learn.html', 'turning.html'] },
   },
   plugins: [service()],
   worker: { format: 'es' },

@@ -27,6 +27,6 @@ pub use matching::matching_lead;
 pub use place::{axis, center, cl_of, contact_of};
 pub use relative::{cutter_curvature, second_order_strip_width};
 pub use straight::{Lean, StraightStrip, straight_strip};
-pub use strip_model::{ModelStrip, model_strip};
+pub use strip_model::{ModelStrip, model_section, model_strip};
 pub use strip_surface::{Edge, FaceStrip, StripLimits, face_strip};
 pub use two_contact::{TwoContact, two_contact, widest_two_contact};

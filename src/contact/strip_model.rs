@@ -9,6 +9,7 @@ use crate::geometry::Curvature;
 use crate::math::frame::Frame;
 use crate::toolpath::Posture;
 use glam::DVec3;
+use std::f64::consts::FRAC_PI_2;
 
 /// The strip that one contact point finishes, each side on its own.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,25 +47,43 @@ pub fn model_strip(cutter: &Cutter, posture: Posture, k: &Curvature, scallop: f6
         // The instant at which the foot of the envelope's point lies over x = 0, per |θ|: from call to call it changes
         // little.
         let mut pace = -departure.x;
-        let mut read = |theta: f64| {
-            let mut t = pace * theta.abs();
-            let mut foot = model.foot(model.sweep(t).point(theta));
-            for _ in 0..3 {
-                if foot.x.abs() < 1e-7 * (1.0 + foot.y.abs()) {
-                    break;
-                }
-                t -= foot.x;
-                foot = model.foot(model.sweep(t).point(theta));
-            }
-            pace = t / theta.abs();
-            Reading { height: foot.z, side: foot.y * y_sign }
-        };
+        let mut read = |theta: f64| model.read(theta, &mut pace, y_sign);
         let speed = departure.y * y_sign;
         let how = Search { scallop, gouge: 0.01 * scallop, expected, speed, toward, accuracy: 1e-6 };
         search(&mut read, how)
     };
     ModelStrip { left: side(true), right: side(false) }
 }
+
+/// The envelope over the same surface in the same motion, to look at: pairs of the distance to the side (mm, above 0 on the `+b`
+/// side) and the height along the surface normal (mm), from right to left, no farther than `reach` (mm) to either side.
+pub fn model_section(cutter: &Cutter, posture: Posture, k: &Curvature, reach: f64) -> Vec<[f64; 2]> {
+    let model = Model { cutter, tilt: distinct_tilt(posture), k };
+    let start = model.sweep(0.0);
+    let side = |y_sign: f64| {
+        let toward = start.left(DVec3::Y) * y_sign;
+        let mut pace = -start.departure(toward).x;
+        let mut places = Vec::new();
+        for i in 1..=LOOKS {
+            let share = f64::from(i) / f64::from(LOOKS);
+            // Closer together where the profile rises least.
+            let Reading { height, side } = model.read(toward * FRAC_PI_2 * share * share, &mut pace, y_sign);
+            if !(side.is_finite() && height.is_finite() && side <= reach) {
+                break;
+            }
+            places.push([side * y_sign, height]);
+        }
+        places
+    };
+    let mut all = side(-1.0);
+    all.reverse();
+    all.push([0.0; 2]);
+    all.extend(side(1.0));
+    all
+}
+
+/// Places at which a half of the envelope is looked at.
+const LOOKS: u32 = 160;
 
 /// A cutter over a quadratic surface.
 struct Model<'a> {
@@ -95,6 +114,21 @@ impl Model<'_> {
             frame.f * -n_rate.dot(frame.b) + frame.b * n_rate.dot(frame.f) + frame.n * f_rate.dot(frame.b);
         let pivot = DVec3::new(t, 0.0, 0.5 * k.ff * t * t);
         Sweep::of_tilt(self.cutter, &self.tilt, pivot, &frame, velocity, spin)
+    }
+
+    /// The envelope's point at `theta` where it lies over `x = 0`; `pace` is the instant of that per |θ|, as it was found last.
+    fn read(&self, theta: f64, pace: &mut f64, y_sign: f64) -> Reading {
+        let mut t = *pace * theta.abs();
+        let mut foot = self.foot(self.sweep(t).point(theta));
+        for _ in 0..3 {
+            if foot.x.abs() < 1e-7 * (1.0 + foot.y.abs()) {
+                break;
+            }
+            t -= foot.x;
+            foot = self.foot(self.sweep(t).point(theta));
+        }
+        *pace = t / theta.abs();
+        Reading { height: foot.z, side: foot.y * y_sign }
     }
 
     /// Foot `(x, y)` of the point `e` along its normal, and the height over it as `z`.
@@ -190,6 +224,21 @@ mod tests {
         let (ml, mr) = mirrored.half_widths().unwrap();
         assert!((l - mr).abs() < 1e-6 && (r - ml).abs() < 1e-6);
         assert!((l - r).abs() > 1e-3);
+    }
+
+    #[test]
+    fn the_section_passes_through_the_ends_of_the_strip() {
+        let posture = Posture { lead: 0.15, yaw: -0.4 };
+        let k = Curvature { ff: -0.01, fb: 0.004, bb: 0.006 };
+        let (left, right) = model_strip(&mill(5.0, 1.0), posture, &k, 0.02).half_widths().unwrap();
+        let section = model_section(&mill(5.0, 1.0), posture, &k, 3.0);
+        assert!(section.is_sorted_by(|a, b| a[0] < b[0]));
+        for end in [left, -right] {
+            let above = section.partition_point(|[y, _]| *y < end);
+            let ([y0, z0], [y1, z1]) = (section[above - 1], section[above]);
+            let height = z0 + (z1 - z0) * (end - y0) / (y1 - y0);
+            assert!((height - 0.02).abs() < 1e-3, "{end}: {height}");
+        }
     }
 
     #[test]

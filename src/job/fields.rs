@@ -64,6 +64,9 @@ pub struct Variant {
     pub fields: &'static [Field],
 }
 
+/// Strategies that the page's first module only names: whoever chooses one of them loads the second.
+pub(super) const SECOND: [&str; 2] = ["flow", "auto"];
+
 /// One object of the specification.
 #[derive(Debug, Clone, Copy)]
 pub struct Group {
@@ -203,13 +206,11 @@ pub const GROUPS: &[Group] = &[
                     ORDER,
                 ],
             },
-            #[cfg(feature = "flow")]
             Variant {
                 kind: "flow",
                 shapes: &["surface"],
                 fields: &[RULE, LEAD, YAW, LEAST_LEAD, MOST_LEAD, MOST_YAW, TURN_ALONG, TURN_ACROSS, ORDER],
             },
-            #[cfg(feature = "flow")]
             Variant {
                 kind: "auto",
                 shapes: &[],

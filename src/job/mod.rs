@@ -17,6 +17,8 @@ mod schema;
 mod shape;
 mod spec;
 mod stepover;
+#[cfg(feature = "study")]
+pub mod study;
 mod tool;
 #[cfg(feature = "turning")]
 pub mod turning;

@@ -13,7 +13,7 @@ use crate::post::{self, Program};
 use crate::posture::Rule;
 use crate::strategy::{self, LOOK, Linked, Linking, Outline, Planned, RasterError, RasterOptions, Refuge};
 use crate::toolpath::{ClPoint, Pass, Posture, Touch};
-use crate::verify::{self, Options, Samples, Verification};
+use crate::verify::{self, Histogram, Options, Samples, Verification};
 use glam::DVec3;
 
 /// A planned path and the program that states it, not yet proven.
@@ -44,6 +44,8 @@ pub struct Proof {
     pub verified: Verified,
     /// The shape with its excess, to draw.
     pub picture: Picture,
+    /// How the area is spread over the excess.
+    pub histogram: Histogram,
 }
 
 /// Plans the job of `spec` and writes its program; `bytes` is the content of its file, if its source is one.
@@ -139,6 +141,7 @@ impl Plan {
         Ok(Proof {
             verified: Verified::from(&proof.statistics),
             picture: Picture::new(&picture, &shown.excess),
+            histogram: proof.statistics.histogram,
         })
     }
 

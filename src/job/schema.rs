@@ -1,7 +1,7 @@
 //! The table of settings as JSON: for forms, for filling in defaults, and for checking ranges.
 
 use super::error::JobError;
-use super::fields::{Field, GROUPS, Group, Kind, Variant};
+use super::fields::{Field, GROUPS, Group, Kind, SECOND, Variant};
 use serde_json::{Map, Value, json};
 
 /// The schema that forms are made from, as JSON text: groups in order, each with its variants and settings, with unit,
@@ -27,7 +27,8 @@ pub(super) fn schema_of(groups: &[Group], version: u32) -> String {
 }
 
 fn variant(v: &Variant) -> Value {
-    json!({ "kind": v.kind, "for": v.shapes, "fields": v.fields.iter().map(field).collect::<Vec<_>>() })
+    let fields: Vec<Value> = v.fields.iter().map(field).collect();
+    json!({ "kind": v.kind, "for": v.shapes, "second": SECOND.contains(&v.kind), "fields": fields })
 }
 
 fn field(f: &Field) -> Value {

@@ -34,4 +34,6 @@ pub use iso_parametric::iso_parametric;
 pub use iso_planar::iso_planar;
 pub use link::{IsClear, LOOK, Linked, Linking, Outline, Refuge, link};
 pub use order::{Side, nearest_next, one_sided};
+#[cfg(feature = "study")]
+pub use potential::Potential;
 pub use raster::{Raster, RasterError, RasterOptions, raster};

@@ -26,7 +26,7 @@ const BELIEVED: [f64; 2] = [0.1, 4.0];
 
 /// Widths of strips at the nodes of a grid.
 #[derive(Debug)]
-pub(super) struct Potential {
+pub struct Potential {
     nodes: Vec<Option<Node>>,
 }
 
@@ -39,7 +39,7 @@ struct Node {
 
 impl Potential {
     /// Of `face` at the nodes of `grid`, for a cutter that leans by `rule`.
-    pub(super) fn new(
+    pub fn new(
         (face, grid): (&Face, &FaceGrid),
         cutter: &Cutter,
         rule: &Rule,
@@ -72,7 +72,7 @@ impl Potential {
     }
 
     /// The width at a node for a feed along `feed` or against it, mm; `None` at a pole.
-    pub(super) fn width(&self, node: usize, feed: DVec3) -> Option<f64> {
+    pub fn width(&self, node: usize, feed: DVec3) -> Option<f64> {
         let Node { frame, widths } = self.nodes[node].as_ref()?;
         let turn = libm::atan2(feed.dot(frame.b), feed.dot(frame.f)) / PI;
         let place = (turn - turn.floor()) * DIRECTIONS as f64;
@@ -92,7 +92,7 @@ impl Potential {
     }
 
     /// The unit direction of the widest strip at a node and the widest and narrowest strip there, mm; `None` at a pole.
-    pub(super) fn best(&self, node: usize) -> Option<(DVec3, [f64; 2])> {
+    pub fn best(&self, node: usize) -> Option<(DVec3, [f64; 2])> {
         let Node { frame, widths } = self.nodes[node].as_ref()?;
         let mut best = 0;
         let mut least = widths[0];

@@ -19,6 +19,8 @@ mod hull;
 mod motion;
 mod patch;
 mod refine;
+#[cfg(feature = "study")]
+mod removal;
 mod samples;
 mod statistics;
 mod sweeps;
@@ -27,8 +29,10 @@ mod verification;
 
 pub use body::Body;
 pub use floor::{Class, Floor, floor};
+#[cfg(feature = "study")]
+pub use removal::{Removal, removal};
 pub use samples::{Grid, Sample, SampleError, Samples};
-pub use statistics::{Extreme, Statistics};
+pub use statistics::{Extreme, Histogram, Statistics};
 pub use turning::{
     Band, Form, Residue, Sagitta, Surface, TurnedError, TurnedOptions, TurnedPart, TurnedProof, verify_turned,
 };

@@ -18,6 +18,8 @@ pub(super) struct Piece {
     rate: f64,
     /// Length of `travel`.
     length: f64,
+    /// The move of the path that this is, counted from 0.
+    step: u32,
 }
 
 /// The signed distance of a point on a line to the moving body, and its derivatives.
@@ -41,7 +43,7 @@ impl Piece {
         // |d axis/ds| is largest midway, where the chord is nearest to the centre of the sphere.
         let midway = (from.axis + 0.5 * turn).length();
         let rate = if turn == DVec3::ZERO { 0.0 } else { turn.length() / midway };
-        Self { tip: from.tip, travel, axis: from.axis, turn, rate, length: travel.length() }
+        Self { tip: from.tip, travel, axis: from.axis, turn, rate, length: travel.length(), step: 0 }
     }
 
     /// The share `1/count` of this piece that begins at `index/count`: the very same motion.
@@ -55,6 +57,7 @@ impl Piece {
             turn: self.turn * share,
             rate: self.rate * share,
             length: self.length * share,
+            step: self.step,
         }
     }
 
@@ -66,6 +69,12 @@ impl Piece {
     /// The body standing still.
     pub(super) fn still(at: &ClPoint) -> Self {
         Self::between(at, at)
+    }
+
+    /// The move of the path that this is, counted from 0; not of a pose that stands for several.
+    #[cfg(feature = "study")]
+    pub(super) fn step(&self) -> u32 {
+        self.step
     }
 
     /// How far the tip travels, millimetres.
@@ -124,8 +133,8 @@ impl Piece {
 pub(super) fn parts(body: &Body, path: &Toolpath) -> Vec<Piece> {
     let mut parts = Vec::with_capacity(path.moves.len());
     let mut from = path.moves.first().map(|m| m.to);
-    for step in &path.moves {
-        let whole = Piece::between(&from.unwrap_or(step.to), &step.to);
+    for (number, step) in path.moves.iter().enumerate() {
+        let whole = Piece { step: number as u32, ..Piece::between(&from.unwrap_or(step.to), &step.to) };
         let way = whole.length + whole.rate * body.reach();
         let count = (way / body.largest_radius()).ceil().clamp(1.0, MOST_PARTS) as u32;
         parts.extend((0..count).map(|i| whole.part(i, count)));

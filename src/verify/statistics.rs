@@ -45,6 +45,46 @@ pub struct Statistics {
     pub q99: f64,
     /// Share of the area whose excess is at most the allowed height, 0 to 1; gouged area counts as reached.
     pub share_within: f64,
+    /// How the area is spread over the excess.
+    pub histogram: Histogram,
+}
+
+/// Area by excess, in bins of the same width.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Histogram {
+    /// Where the first bin begins, mm: 0, or the deepest gouge.
+    pub low: f64,
+    /// Where the last bin ends, mm: the allowed height, or the largest excess where that is higher.
+    pub high: f64,
+    /// Area of each bin, mm²; what was not cut is in none.
+    pub areas: [f64; BINS],
+}
+
+/// Bins: what a side panel has room for.
+const BINS: usize = 40;
+
+impl Histogram {
+    /// Of the values and areas in `weighted`, between the extremes and 0 and the allowed `height`.
+    pub(super) fn new(
+        weighted: &[(f64, f64)],
+        min: Option<Extreme>,
+        max: Option<Extreme>,
+        height: f64,
+    ) -> Self {
+        let low = min.map_or(0.0, |extreme| extreme.excess.min(0.0));
+        let high = max.map_or(height, |extreme| extreme.excess.max(height));
+        let mut areas = [0.0; BINS];
+        for (value, area) in weighted.iter().filter(|(value, _)| value.is_finite()) {
+            let bin = (value - low) / (high - low) * BINS as f64;
+            areas[(bin as usize).min(BINS - 1)] += area;
+        }
+        Self { low, high, areas }
+    }
+
+    /// `low`, `high` and the areas, to draw.
+    pub fn flat(&self) -> Vec<f32> {
+        [self.low, self.high].iter().chain(&self.areas).map(|x| *x as f32).collect()
+    }
 }
 
 /// Least value that the `shares` (rising, 0 to 1) of the weight in `weighted` (value, weight) do not exceed.

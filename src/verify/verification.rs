@@ -6,7 +6,7 @@ use super::cut::Scene;
 use super::entry::Line;
 use super::refine::{Field, Search, Searched, is_judged};
 use super::samples::{Sample, Samples};
-use super::statistics::{Extreme, Statistics, quantiles};
+use super::statistics::{Extreme, Histogram, Statistics, quantiles};
 use crate::cutter::Cutter;
 use crate::geometry::Zone;
 use crate::monitor::{Cancelled, Stage};
@@ -47,7 +47,7 @@ impl Options<'_> {
         }
     }
 
-    fn check(&self) -> Result<(), VerifyError> {
+    pub(super) fn check(&self) -> Result<(), VerifyError> {
         let positive = |x: f64| x > 0.0 && x.is_finite();
         let wrong = |field, message| Err(VerifyError::Option { field, message });
         if !positive(self.height) {
@@ -149,7 +149,7 @@ pub fn verify(
     Ok(Verification { refined: refined.collect(), excess, statistics })
 }
 
-fn check_path(path: &Toolpath) -> Result<(), VerifyError> {
+pub(super) fn check_path(path: &Toolpath) -> Result<(), VerifyError> {
     let wrong = |index, message| Err(VerifyError::Move { index, message });
     for (index, step) in path.moves.iter().enumerate() {
         let axis = step.to.axis;
@@ -215,5 +215,6 @@ fn summarise(
         q95,
         q99,
         share_within: if area > 0.0 { within / area } else { 0.0 },
+        histogram: Histogram::new(&weighted, extreme(min), extreme(max), height),
     }
 }

@@ -174,6 +174,12 @@ impl Outcome {
         self.proof.as_ref().map(|proof| Preview(proof.picture.clone()))
     }
 
+    /// Area by excess: where the first bin begins and the last one ends (mm), then the area of each (mm²). Empty before the proof.
+    pub fn histogram(&self) -> Float32Array {
+        let flat = self.proof.as_ref().map_or(Vec::new(), |proof| proof.histogram.flat());
+        Float32Array::from(&flat[..])
+    }
+
     /// The program as APT text.
     pub fn apt(&self) -> String {
         self.plan.apt.clone()

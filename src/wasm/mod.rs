@@ -9,6 +9,8 @@
 pub mod machines;
 #[cfg(feature = "milling")]
 pub mod milling;
+#[cfg(feature = "study")]
+pub mod study;
 #[cfg(feature = "turning")]
 pub mod turning;
 

@@ -244,7 +244,7 @@ fn turns_and_motion_tell_all_axes() {
     let job = planned(&json!({"points": {"kind": "arc"}, "speed": {"pace": "surface_speed"}}));
     let turns = job.turns();
     let motion = job.motion(20.0);
-    assert!(turns.len() % 14 == 0 && motion.len() % 13 == 0 && motion.len() / 13 > 60);
+    assert!(turns.len().is_multiple_of(14) && motion.len().is_multiple_of(13) && motion.len() / 13 > 60);
     let row = turns.chunks(14).find(|t| (t[0] - 20.0).abs() < 0.5).unwrap();
     for axis in 0..3 {
         for kind in 1..4 {

@@ -1,5 +1,5 @@
 /** What the browser tests share. The test runner is one of the page's packages. */
-import { existsSync, mkdirSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { expect, test } from '../../www/node_modules/@playwright/test/index.mjs';
 
@@ -48,7 +48,7 @@ export async function drop(page, files) {
 }
 
 /** A figure of the result panel, as it is read. */
-export const figure = (page, id) => page.locator(`#results [data-figure="${id}"] dd`);
+export const figure = (page, id) => page.locator(`#results [data-figure="${id}"] dd:not(.meaning)`);
 
 /** The number in a text such as “12,345 mm”. @param {string} text */
 export const number = (text) =>
@@ -72,4 +72,75 @@ export async function set(page, path, value) {
   await field.evaluate((element) => element.closest('details')?.setAttribute('open', ''));
   if (typeof value === 'string') await field.selectOption(value);
   else await field.fill(String(value));
+}
+
+const AXE = here('../../www/node_modules/axe-core/axe.min.js');
+
+/** What axe-core finds serious or critical on the page as it stands. */
+export async function seriousFindings(page) {
+  if (!(await page.evaluate(() => 'axe' in window))) await page.evaluate(readFileSync(AXE, 'utf8'));
+  return page.evaluate(async () => {
+    const { violations } = await window.axe.run();
+    const serious = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
+    return serious.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target).join(', ')}`);
+  });
+}
+
+/** Width of the stored pictures: small enough that fonts of another machine do not matter, large enough for what moved or broke. */
+const THUMB = 96;
+/** How far a picture may be off on average, and any ninth of it, of 255. */
+const OFF = { whole: 5, ninth: 14 };
+
+/**
+ * Compares what is seen with a stored picture that people looked at; keeps the new one with `UPDATE_LOOKS=1`.
+ *
+ * @param {import('../../www/node_modules/@playwright/test').Page} page
+ * @param {string} name
+ */
+export async function expectToLookAs(page, name) {
+  const path = here(`looks/${name}.png`);
+  const shot = (await page.screenshot()).toString('base64');
+  const isKept = Boolean(process.env.UPDATE_LOOKS);
+  if (!isKept && !existsSync(path))
+    throw new Error(`${path} is missing: look at the page, then keep it with UPDATE_LOOKS=1`);
+  const kept = isKept ? null : readFileSync(path).toString('base64');
+  const found = await page.evaluate(
+    async ([now, before, width]) => {
+      const bitmap = (base64) =>
+        createImageBitmap(new Blob([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))]));
+      const image = await bitmap(now);
+      const height = Math.round((width * image.height) / image.width);
+      const canvas = new OffscreenCanvas(width, height);
+      const context = canvas.getContext('2d', { willReadFrequently: true });
+      context.imageSmoothingQuality = 'high';
+      context.drawImage(image, 0, 0, width, height);
+      const seen = context.getImageData(0, 0, width, height).data;
+      if (!before) {
+        const bytes = new Uint8Array(await (await canvas.convertToBlob()).arrayBuffer());
+        return { base64: btoa(String.fromCharCode(...bytes)) };
+      }
+      const old = await bitmap(before);
+      if (old.width !== width || old.height !== height) return { whole: 255, ninth: 255 };
+      context.drawImage(old, 0, 0);
+      const stored = context.getImageData(0, 0, width, height).data;
+      const sums = Array.from({ length: 9 }, () => [0, 0]);
+      for (let i = 0; i < seen.length; i += 1) {
+        if (i % 4 === 3) continue;
+        const [x, y] = [(i >> 2) % width, Math.floor((i >> 2) / width)];
+        const part = sums[3 * Math.floor((3 * y) / height) + Math.floor((3 * x) / width)];
+        part[0] += Math.abs(seen[i] - stored[i]);
+        part[1] += 1;
+      }
+      const ninths = sums.map(([sum, count]) => sum / count);
+      return { whole: ninths.reduce((a, b) => a + b, 0) / 9, ninth: Math.max(...ninths) };
+    },
+    [shot, kept, THUMB],
+  );
+  if (isKept) {
+    mkdirSync(here('looks'), { recursive: true });
+    writeFileSync(path, Buffer.from(found.base64, 'base64'));
+    return;
+  }
+  expect.soft(found.whole, `${name} as a whole`).toBeLessThan(OFF.whole);
+  expect.soft(found.ninth, `a part of ${name}`).toBeLessThan(OFF.ninth);
 }

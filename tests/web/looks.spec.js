@@ -1,5 +1,5 @@
-/** The page at the sizes and in the colours that people have: nothing overflows, and a picture is kept. */
-import { expect, picture, proof, test, visit } from './harness.js';
+/** The page at the sizes and in the colours that people have: nothing overflows, and it looks as it did when people looked. */
+import { expect, expectToLookAs, picture, proof, test, visit } from './harness.js';
 
 const SIZES = {
   desktop: { width: 1440, height: 900 },
@@ -22,6 +22,7 @@ for (const sizes of [['desktop', 'tablet'], ['phone']]) {
         await page.emulateMedia({ colorScheme });
         await page.waitForTimeout(300);
         await picture(page, `${size}-${colorScheme}`);
+        await expectToLookAs(page, `${size}-${colorScheme}`);
         const [inner, scroll] = await page.evaluate(() => [innerWidth, document.documentElement.scrollWidth]);
         expect(scroll).toBeLessThanOrEqual(inner);
         expect(inner).toBe(SIZES[size].width);

@@ -229,7 +229,7 @@ test('the side is flipped, and a saved job opens again', async ({ page }) => {
 test('everything is reached by the keyboard', async ({ page }) => {
   await visit(page);
   const reached = new Set();
-  for (let i = 0; i < 80; i += 1) {
+  for (let i = 0; i < 140; i += 1) {
     await page.keyboard.press('Tab');
     const name = await page.evaluate(() => {
       const { activeElement: e } = document;
@@ -252,6 +252,27 @@ test('everything is reached by the keyboard', async ({ page }) => {
   ]) {
     expect([...reached]).toContain(name);
   }
+
+  // A whole job without a pointer: settings, plan, look, undo, save, and the sheet that tells how.
+  const scallop = page.locator('[name="tolerance.scallop_mm"]');
+  await scallop.focus();
+  await page.keyboard.press('Control+A');
+  await page.keyboard.type('0.08');
+  await page.keyboard.press('Control+Enter');
+  await expect(page.locator('html')).toHaveAttribute('data-job', 'plan');
+  await expect(page.locator('html')).not.toHaveAttribute('data-job', 'plan');
+  await page.locator('#canvas canvas').focus();
+  for (const key of ['ArrowLeft', '+', '1', ',', 'u', 'u', 'o']) await page.keyboard.press(key);
+  await expect(page.locator('button[name=parallel]')).toHaveAttribute('aria-pressed', 'true');
+  await expect(page.locator('input[name=at]')).not.toHaveValue('10000');
+  const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('Control+S')]);
+  expect(download.suggestedFilename()).toMatch(/job\.json$/);
+  await page.keyboard.press('Control+Z');
+  await expect(scallop).toHaveValue('0.05');
+  await page.keyboard.press('?');
+  await expect(page.locator('dialog.keys')).toBeVisible();
+  await page.keyboard.press('Escape');
+  await expect(page.locator('dialog.keys')).toBeHidden();
 });
 
 test('a start curve is picked on the surface, and what is written is its text', async ({ page }) => {

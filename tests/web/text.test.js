@@ -1,6 +1,8 @@
 /** The tables of texts: nothing in one language that the other lacks, and the same places to fill. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import learnEn from '../../www/learn/texts/en.js';
+import learnZh from '../../www/learn/texts/zh.js';
 import en from '../../www/text/en.js';
 import turning from '../../www/text/turning.js';
 import turningZh from '../../www/text/turning-zh.js';
@@ -40,3 +42,15 @@ for (const [page, english, chinese] of TABLES) {
     for (const [id, text] of Object.entries(chinese)) assert.deepEqual(places(text), places(english[id]), id);
   });
 }
+
+test('the lessons are the same in both languages: their texts, formulas, figures and numbers of equations', () => {
+  const [first, second] = [learnEn, learnZh];
+  assert.deepEqual(Object.keys(second.table).sort(), Object.keys(first.table).sort());
+  const places = (text) => [...text.matchAll(/\{\w+\}/g)].map(String).sort();
+  for (const [id, text] of Object.entries(second.table)) {
+    // What a text tells, it may tell in fewer words.
+    for (const place of places(text)) assert.ok(places(first.table[id]).includes(place), `${id} ${place}`);
+  }
+  const fixed = ({ id, blocks }) => [id, ...blocks.map(([kind, text]) => (kind === 'math' ? text : kind))];
+  assert.deepEqual(second.lessons.map(fixed), first.lessons.map(fixed));
+});

@@ -3,13 +3,12 @@
  *
  * @import { Outcome } from '../types.js'
  */
-import { STRIDE } from './path-lines.js';
+import { KIND, LENGTH, STRIDE } from './way.js';
 
 /** Numbers a move of `postures`. */
 export const POSTURE = 4;
 /** Their places: degrees, degrees, millimetres, and what keeps the lead from being less. */
 export const COLUMNS = /** @type {const} */ ({ lead: 0, yaw: 1, strip: 2 });
-const KIND = 6;
 /** A cell of the search is at most this share of the path's size. */
 const LARGEST_CELL = 0.02;
 
@@ -127,6 +126,31 @@ export function valueAt({ postures }, place, column) {
   const to = postures[Math.min(move + 1, postures.length / POSTURE - 1) * POSTURE + column];
   if (Number.isNaN(from)) return to;
   return Number.isNaN(to) ? from : from + (to - from) * (place - move);
+}
+
+/** How fast the contact runs over the surface on each move, as a share of the tip's speed. @param {Outcome} outcome */
+export function speedsOf({ path, contacts, postures }) {
+  const speeds = new Float32Array(path.length / STRIDE).fill(Number.NaN);
+  for (let i = 1; i < speeds.length; i += 1) {
+    const isCut = path[i * STRIDE + KIND] === 0;
+    if (!isCut || Number.isNaN(postures[i * POSTURE]) || Number.isNaN(postures[(i - 1) * POSTURE])) continue;
+    const way = Math.hypot(...[0, 1, 2].map((k) => contacts[3 * i + k] - contacts[3 * (i - 1) + k]));
+    const tip = path[i * STRIDE + LENGTH] - path[(i - 1) * STRIDE + LENGTH];
+    if (tip > 0) speeds[i] = way / tip;
+  }
+  return speeds;
+}
+
+/** The number of the pass of each move, from 1. @param {Outcome} outcome */
+export function passesOf({ path }) {
+  const passes = new Float32Array(path.length / STRIDE).fill(Number.NaN);
+  let pass = 0;
+  for (let i = 1; i < passes.length; i += 1) {
+    if (path[i * STRIDE + KIND] !== 0) continue;
+    if (i === 1 || path[(i - 1) * STRIDE + KIND] !== 0) pass += 1;
+    passes[i] = pass;
+  }
+  return passes;
 }
 
 /** The moves of the pass that the cutter is on at `move`, or of the one before: first and last. @param {Outcome} outcome @param {number} move */

@@ -1,5 +1,5 @@
 /** The camera: standard views, fitting, and the keys. */
-import { Box3, PerspectiveCamera, Vector3 } from 'three';
+import { Box3, OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 /** A long lens: little distortion, so that parallel passes look parallel. */
@@ -11,15 +11,27 @@ const MARGIN_X = 72;
 const MARGIN_Y = 200;
 
 /** Where each view looks from; z is up. @type {Record<string, [number, number, number]>} */
-const FROM = { iso: [-0.62, -1, 0.78], top: [0, -0.0001, 1], front: [0, -1, 0.0001] };
+const FROM = {
+  iso: [-0.62, -1, 0.78],
+  top: [0, -0.0001, 1],
+  bottom: [0, -0.0001, -1],
+  front: [0, -1, 0.0001],
+  back: [0, 1, 0.0001],
+  left: [-1, 0, 0.0001],
+  right: [1, 0, 0.0001],
+};
 
 /**
  * @param {HTMLCanvasElement} canvas
  * @param {() => void} onChange
  */
 export function createCamera(canvas, onChange) {
-  const camera = new PerspectiveCamera(FIELD_OF_VIEW_DEG, 1, 1, 1000);
-  camera.up.set(0, 0, 1);
+  const lens = new PerspectiveCamera(FIELD_OF_VIEW_DEG, 1, 1, 1000);
+  /** Without perspective: lengths can be compared. */
+  const parallel = new OrthographicCamera(-1, 1, 1, -1, 1, 1000);
+  /** The one in use. @type {PerspectiveCamera | OrthographicCamera} */
+  let camera = lens;
+  for (const one of [lens, parallel]) one.up.set(0, 0, 1);
   const controls = new OrbitControls(camera, canvas);
   controls.addEventListener('change', onChange);
   controls.zoomToCursor = true;
@@ -47,7 +59,7 @@ export function createCamera(canvas, onChange) {
     camera.updateMatrixWorld();
     const [right, up, back] = [new Vector3(), new Vector3(), new Vector3()];
     camera.matrixWorld.extractBasis(right, up, back);
-    const half = Math.tan((camera.fov * Math.PI) / 360);
+    const half = Math.tan((lens.fov * Math.PI) / 360);
     const tall = half * Math.max(1 - MARGIN_Y / size.height, 0.3);
     const wide = half * (size.width / size.height) * Math.max(1 - MARGIN_X / size.width, 0.3);
     let distance = 0;
@@ -58,13 +70,25 @@ export function createCamera(canvas, onChange) {
     }
     controls.target.copy(centre);
     camera.position.copy(centre).addScaledVector(back, distance);
-    camera.near = distance / 100;
-    camera.far = distance + 20 * radius;
+    for (const one of [lens, parallel]) {
+      one.near = one === parallel ? distance - 20 * radius : distance / 100;
+      one.far = distance + 20 * radius;
+    }
     controls.minDistance = radius / 50;
     controls.maxDistance = distance * 8;
-    camera.updateProjectionMatrix();
+    parallel.zoom = 1;
+    shape(distance);
     controls.update();
     onChange();
+  }
+
+  /** Fits the projections to the canvas; without perspective the picture is as large as the lens shows it from `distance`. @param {number} distance */
+  function shape(distance) {
+    const aspect = size.width / size.height;
+    lens.aspect = aspect;
+    const tall = Math.tan((lens.fov * Math.PI) / 360) * distance;
+    Object.assign(parallel, { left: -tall * aspect, right: tall * aspect, top: tall, bottom: -tall });
+    for (const one of [lens, parallel]) one.updateProjectionMatrix();
   }
 
   canvas.addEventListener('keydown', (event) => {
@@ -106,13 +130,37 @@ export function createCamera(canvas, onChange) {
   /** @param {number} factor */
   function zoom(factor) {
     standing = '';
-    camera.position.sub(controls.target).multiplyScalar(factor).add(controls.target);
+    if (camera === parallel) {
+      parallel.zoom /= factor;
+      parallel.updateProjectionMatrix();
+    } else camera.position.sub(controls.target).multiplyScalar(factor).add(controls.target);
     controls.update();
     onChange();
   }
 
   return {
-    camera,
+    get camera() {
+      return camera;
+    },
+
+    /** With perspective or without; what is seen stays as large. @param {boolean} isParallel */
+    project(isParallel) {
+      const next = isParallel ? parallel : lens;
+      if (next === camera) return;
+      const arm = camera.position.clone().sub(controls.target);
+      if (isParallel) {
+        parallel.zoom = 1;
+        shape(arm.length());
+      } else
+        arm.divideScalar(
+          parallel.zoom * (arm.length() / (parallel.top / Math.tan((lens.fov * Math.PI) / 360))),
+        );
+      next.position.copy(controls.target).add(arm);
+      camera = next;
+      controls.object = /** @type {PerspectiveCamera} */ (next);
+      controls.update();
+      onChange();
+    },
 
     /** Names the box that views show, and whether what is cut looks down. @param {Box3} next @param {boolean} down */
     frame(next, down) {
@@ -130,8 +178,7 @@ export function createCamera(canvas, onChange) {
     /** @param {number} width @param {number} height */
     resize(width, height) {
       Object.assign(size, { width, height });
-      camera.aspect = width / height;
-      camera.updateProjectionMatrix();
+      shape(parallel.top / Math.tan((lens.fov * Math.PI) / 360));
       if (standing) fit(direction(standing));
     },
   };

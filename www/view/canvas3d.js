@@ -1,7 +1,7 @@
 /**
  * The picture of surface, path and cutter. A frame is drawn only when something changed.
  *
- * @import { Outcome, State } from '../types.js'
+ * @import { Outcome, Removal, State } from '../types.js'
  */
 import {
   AmbientLight,
@@ -13,6 +13,7 @@ import {
   Vector2,
   WebGLRenderer,
 } from 'three';
+import { runsOf } from '../comparing.js';
 import { t } from '../text/index.js';
 import { createNearest, hasPostures } from './along-path.js';
 import { createCamera } from './camera.js';
@@ -20,10 +21,14 @@ import { createCutterModel } from './cutter-model.js';
 import { h } from './dom.js';
 import { createGround } from './ground.js';
 import { createOtherFaces } from './other-faces.js';
-import { createPathLines, lastCut, locate, shareAt } from './path-lines.js';
+import { createOverlays } from './overlays.js';
+import { createPathLines } from './path-lines.js';
+import { createRemoving } from './removing.js';
 import { createStartCurve } from './start-curve.js';
 import { createSurfaceMesh } from './surface-mesh.js';
 import { createTints } from './tint.js';
+import { createViewCube } from './view-cube.js';
+import { lastCut, locate, shareAt } from './way.js';
 import { createZones } from './zones.js';
 
 /** Sharper than this nobody sees, and it costs the square. */
@@ -37,9 +42,10 @@ const CLICK = 5;
 
 /**
  * @param {HTMLElement} root
- * @param {{ onFace: (index: number) => void, onAt: (at: number) => void, onPoint: (point: number[]) => void }} callbacks
+ * @param {{ onFace: (index: number) => void, onAt: (at: number) => void, onPoint: (point: number[]) => void,
+ *   onPick: (point: number[], excess: number | null) => void }} callbacks
  */
-export function createCanvas3d(root, { onFace, onAt, onPoint }) {
+export function createCanvas3d(root, { onFace, onAt, onPoint, onPick }) {
   const canvas = h('canvas', { tabindex: 0, 'aria-label': t('canvas.label') });
   root.append(canvas);
   const renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
@@ -54,16 +60,18 @@ export function createCanvas3d(root, { onFace, onAt, onPoint }) {
   const others = createOtherFaces();
   const ground = createGround();
   const start = createStartCurve();
+  const overlays = createOverlays();
   const tintOf = createTints();
   const view = createCamera(canvas, move);
   // Lights travel with the eye: whatever is looked at is lit from above the left shoulder.
   const sky = new AmbientLight(0xffffff, 1.15);
   const key = new DirectionalLight(0xffffff, 2.4);
   key.position.set(-0.6, 0.9, 1);
-  view.camera.add(key);
   scene.add(
     sky,
-    view.camera,
+    key,
+    key.target,
+    overlays.group,
     ground.grid,
     others.group,
     surface.group,
@@ -81,6 +89,9 @@ export function createCanvas3d(root, { onFace, onAt, onPoint }) {
   let painted = {};
   let framed = '';
   let sized = '';
+  /** What is left while the path is run, on show. @type {{ removal: Removal, removing: ReturnType<typeof createRemoving> } | null} */
+  let running = null;
+  const cube = createViewCube(root, (side) => view.look(side));
   /** @type {{ outcome: Outcome | null, nearest: ReturnType<typeof createNearest> | null }} */
   let found = { outcome: null, nearest: null };
 
@@ -91,8 +102,17 @@ export function createCanvas3d(root, { onFace, onAt, onPoint }) {
       scheduled = false;
       // From below, the grid would lie between the eye and the surface.
       ground.grid.visible = view.camera.position.z > ground.height();
-      renderer.render(scene, view.camera);
+      render();
     });
+  }
+
+  function render() {
+    const { camera } = view;
+    camera.updateMatrixWorld();
+    camera.localToWorld(key.position.set(-0.6, 0.9, 1));
+    key.target.position.copy(camera.position);
+    cube.turn(camera);
+    renderer.render(scene, camera);
   }
 
   /** Draws a picture that moves: a long path with fewer segments, until it has come to rest. */
@@ -120,7 +140,7 @@ export function createCanvas3d(root, { onFace, onAt, onPoint }) {
     renderer.setSize(width, height, false);
     view.resize(width, height);
     // Drawn at once: a canvas that changed its size is empty until then.
-    renderer.render(scene, view.camera);
+    render();
   }
 
   resize();
@@ -151,7 +171,11 @@ export function createCanvas3d(root, { onFace, onAt, onPoint }) {
       if (hit) onPoint(hit.point.toArray());
       return;
     }
-    if (hit && outcome && hasPostures(outcome)) goTo(outcome, hit.point);
+    if (!hit) return;
+    const vertex = hit.face?.a ?? 0;
+    const excess = outcome?.picture && outcome.excess ? outcome.excess[vertex] : Number.NaN;
+    onPick(hit.point.toArray(), Number.isNaN(excess) ? null : excess);
+    if (outcome && hasPostures(outcome)) goTo(outcome, hit.point);
   });
 
   /** Moves the cutter to the place on the path that is nearest. @param {Outcome} outcome @param {import('three').Vector3} place */
@@ -177,14 +201,25 @@ export function createCanvas3d(root, { onFace, onAt, onPoint }) {
       if (place !== framed) view.look('iso');
       framed = place;
     }
-    if (isNew || painted.outcome !== outcome || painted.layers !== layers) {
+    const isRun = state.at < 1 && layers.tint === 'excess' && state.removal?.outcome === outcome;
+    const removal = isRun ? state.removal : null;
+    const isOther = isNew || (running?.removal ?? null) !== removal;
+    if (
+      isOther ||
+      painted.outcome !== outcome ||
+      painted.layers !== layers ||
+      painted.range !== state.range
+    ) {
       const tint = tintOf(state);
-      surface.paint(tint);
+      running = removal && tint ? { removal, removing: createRemoving(removal, tint.values.length) } : null;
+      surface.paint(running && tint ? { ...tint, values: running.removing.left } : tint);
       // Before anything is planned, which side is cut is the question.
       surface.showArrows(layers.side || !outcome);
       path.show(layers, tint !== null);
       zones.root.cubes.visible = layers.zones;
     }
+    if (running && outcome) surface.repaint(running.removing.to(locate(outcome.path, state.at).point));
+    if (isNew || last?.runs !== painted.runs) overlays.set(runsOf(state).filter(({ isLaid }) => isLaid));
   }
 
   /** @param {State} state */
@@ -223,6 +258,9 @@ export function createCanvas3d(root, { onFace, onAt, onPoint }) {
         'at',
         'picking',
         'draft',
+        'runs',
+        'removal',
+        'range',
       ]);
       if (last && keys.every((name) => last?.[name] === state[name])) return;
       last = state;
@@ -230,13 +268,36 @@ export function createCanvas3d(root, { onFace, onAt, onPoint }) {
       showSurface(state);
       showPath(state);
       const isPlaying = painted.outcome === state.outcome && painted.at !== state.at;
-      painted = { outcome: state.outcome, layers: state.layers, at: state.at };
+      painted = {
+        outcome: state.outcome,
+        layers: state.layers,
+        at: state.at,
+        range: state.range,
+        runs: state.runs,
+      };
       if (isPlaying) move();
       else draw();
     },
 
-    /** @param {string} name 'fit', 'iso', 'top' or 'front'. */
+    /** @param {string} name 'fit', 'iso', or a side. */
     look: (name) => view.look(name),
+
+    /** With perspective or without. @param {boolean} isParallel */
+    project: (isParallel) => view.project(isParallel),
+
+    /** The picture as it stands, on a canvas that keeps it. */
+    copy() {
+      render();
+      const copy = document.createElement('canvas');
+      Object.assign(copy, { width: canvas.width, height: canvas.height });
+      const context = copy.getContext('2d');
+      if (context) {
+        context.fillStyle = getComputedStyle(root).getPropertyValue('--stage-high');
+        context.fillRect(0, 0, copy.width, copy.height);
+        context.drawImage(canvas, 0, 0);
+      }
+      return copy;
+    },
   };
 }
 

@@ -26,6 +26,9 @@ const RISING = [
   [0xfd, 0xe7, 0x25],
 ];
 
+/** Runs that are laid over the picture: told apart by common colour-blind eyes too (M. Okabe and K. Ito, 2008). */
+export const OVERLAYS = ['#d55e00', '#0072b2', '#cc79a7', '#009e73', '#e69f00', '#56b4e9'];
+
 /** Where nothing is known. */
 export const UNKNOWN = [0x8b, 0x94, 0x9e];
 

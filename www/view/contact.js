@@ -7,11 +7,10 @@ import { degrees, length } from '../format.js';
 import { t } from '../text/index.js';
 import { COLUMNS, hasPostures, POSTURE, passAt } from './along-path.js';
 import { attribute, h, s, say } from './dom.js';
-import { lastCut, locate, STRIDE } from './path-lines.js';
+import { LENGTH, lastCut, locate, STRIDE } from './way.js';
 
 /** In the order of their numbers. */
 const BOUNDS = ['given', 'least', 'curvature', 'beside', 'body', 'turn', 'misfit'];
-const LENGTH = 7;
 const WIDTH = 280;
 const HEIGHT = 34;
 /** A plot reaches over no less than this, so that what hardly changes looks so. */
@@ -42,7 +41,7 @@ export function createContact(root) {
   });
   const why = h('p', { class: 'why' });
   root.append(
-    h('h2', {}, t('contact.title')),
+    h('summary', {}, h('h2', {}, t('contact.title'))),
     h('p', { class: 'help' }, t('contact.hint')),
     ...rows.map(({ term, plot, ends }) => h('figure', {}, h('dl', {}, term), plot, ends)),
     why,

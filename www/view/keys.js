@@ -13,6 +13,9 @@ const KEYS = [
   [', .', 'keys.step'],
   ['← → ↑ ↓', 'keys.turn'],
   ['+ −', 'keys.zoom'],
+  ['1 2 3 4 0', 'keys.views'],
+  ['O', 'keys.parallel'],
+  ['U', 'keys.flat'],
   ['?', 'keys.title'],
 ];
 

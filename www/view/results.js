@@ -4,9 +4,10 @@
  * @import { State, Outcome, Report, Verified } from '../types.js'
  */
 import * as format from '../format.js';
-import { prettify, t } from '../text/index.js';
+import { has, prettify, t } from '../text/index.js';
 import { createDistribution } from './distribution.js';
-import { h, icon } from './dom.js';
+import { attribute, h, icon } from './dom.js';
+import { createHistogram } from './histogram.js';
 
 /** @param {HTMLElement} root */
 export function createResults(root) {
@@ -38,7 +39,7 @@ export function createResults(root) {
 }
 
 /** @param {Outcome} outcome @param {number} chord The deepest gouge that was allowed, millimetres. @param {boolean} isProving */
-function figures({ report, seconds, proofSeconds, isPreview }, chord, isProving) {
+function figures({ report, seconds, proofSeconds, isPreview, histogram }, chord, isProving) {
   const { area_mm2: missed, unseen_mm2: unseen } = report.unreachable;
   const reached = report.area_mm2 > 0 ? Math.max(0, 1 - missed / report.area_mm2) : 1;
   return [
@@ -49,7 +50,7 @@ function figures({ report, seconds, proofSeconds, isPreview }, chord, isProving)
       pair(t('results.passes'), format.count(report.passes), 'passes'),
       pair(t('results.machining'), format.minutes(report.time_min), 'time'),
     ),
-    proof(report, chord, isProving),
+    proof(report, chord, isProving, histogram ?? null),
     table(t('results.surface'), [
       ['reached', t('results.reached'), format.percent(reached)],
       ['unreachable', t('results.unreachable'), format.area(missed)],
@@ -78,12 +79,17 @@ function figures({ report, seconds, proofSeconds, isPreview }, chord, isProving)
   ].filter((node) => node !== false);
 }
 
-/** @param {Report} report @param {number} chord @param {boolean} isProving */
-function proof({ verified, scallop_mm }, chord, isProving) {
+/** @param {Report} report @param {number} chord @param {boolean} isProving @param {Float32Array | null} histogram */
+function proof({ verified, scallop_mm }, chord, isProving, histogram) {
   const title = h('h3', {}, t('results.proof'));
   if (!verified) {
     const text = t(isProving ? 'results.proof.running' : 'results.proof.none');
-    return h('section', { class: 'proof' }, title, h('p', { class: 'help' }, text));
+    return h(
+      'section',
+      { class: isProving ? 'proof running' : 'proof' },
+      title,
+      h('p', { class: 'help' }, text),
+    );
   }
   const [id, limit] = verdict(verified, scallop_mm, chord);
   return h(
@@ -97,6 +103,7 @@ function proof({ verified, scallop_mm }, chord, isProving) {
       t(`results.proof.${id}`, { limit }),
     ),
     verified.largest_excess_mm !== null && createDistribution(verified, scallop_mm),
+    histogram && histogram.length > 0 && createHistogram(histogram, scallop_mm),
     list(proofRows(verified)),
   );
 }
@@ -155,7 +162,31 @@ function list(rows) {
   return h('dl', {}, ...rows.map(([id, name, value]) => pair(name, value, id)));
 }
 
-/** @param {string} name @param {string} value @param {string} id */
+/** A figure; what it means is told on request. @param {string} name @param {string} value @param {string} id */
 function pair(name, value, id) {
-  return h('div', { 'data-figure': id }, h('dt', {}, name), h('dd', {}, value));
+  const meaning = `why.${id}`;
+  if (!has(meaning)) return h('div', { 'data-figure': id }, h('dt', {}, name), h('dd', {}, value));
+  const why = h('p', { class: 'help why', id: `why-${id}` }, t(meaning));
+  why.hidden = true;
+  const ask = h(
+    'button',
+    {
+      type: 'button',
+      class: 'ask',
+      'aria-expanded': 'false',
+      'aria-controls': why.id,
+      onclick: () => {
+        why.hidden = !why.hidden;
+        attribute(ask, 'aria-expanded', String(!why.hidden));
+      },
+    },
+    name,
+  );
+  return h(
+    'div',
+    { 'data-figure': id },
+    h('dt', {}, ask),
+    h('dd', {}, value),
+    h('dd', { class: 'meaning' }, why),
+  );
 }

@@ -7,7 +7,7 @@ import { count, micron } from '../format.js';
 import { linked, MOST, WISHED } from '../share/link.js';
 import { t } from '../text/index.js';
 import { attribute, h, icon, say } from './dom.js';
-import { jobOf, save, stem } from './downloads.js';
+import { projectOf, save, stem } from './downloads.js';
 
 /** A course page shows the picture so. */
 const FRAME = 'width="800" height="520" style="border:0" loading="lazy"';
@@ -120,7 +120,7 @@ export function createShare(root, read) {
   function saveJob() {
     const { draft } = read();
     if (!draft) return;
-    save(jobOf(draft), `${stem(draft)}.job.json`);
+    save(projectOf(draft), `${stem(draft)}.job.json`);
   }
 }
 

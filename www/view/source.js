@@ -14,9 +14,9 @@ const ENDINGS = '.igs,.iges,.stl,.obj,.csv,.txt,.xyz,.cpt,.cptw,.json';
 /**
  * @param {HTMLElement} root
  * @param {{ onPick: (id: string) => void, onFiles: (files: File[]) => void, onSide: () => void,
- *   limit: number } & import('./file-card.js').FileCallbacks} callbacks
+ *   onRecent: (name: string) => void, onForget: (name: string) => void, limit: number } & import('./file-card.js').FileCallbacks} callbacks
  */
-export function createSource(root, { onPick, onFiles, onSide, limit, ...onFile }) {
+export function createSource(root, { onPick, onFiles, onSide, onRecent, onForget, limit, ...onFile }) {
   const picker = h('input', {
     type: 'file',
     id: 'file',
@@ -57,10 +57,42 @@ export function createSource(root, { onPick, onFiles, onSide, limit, ...onFile }
     ),
   );
   const hint = h('p', { class: 'help' }, t('surface.hint', { limit: size(limit) }));
-  root.append(gallery, h('div', { class: 'opener' }, open, picker), hint, file, sideRow);
+  const recent = h('div', { class: 'recent', role: 'group', 'aria-label': t('surface.recent') });
+  root.append(gallery, h('div', { class: 'opener' }, open, picker), hint, recent, file, sideRow);
 
   /** @type {unknown} */
   let shownGallery = null;
+  /** @type {unknown} */
+  let shownRecent = null;
+
+  /** @param {State} state */
+  function showRecent({ recent: files }) {
+    if (files === shownRecent) return;
+    shownRecent = files;
+    recent.hidden = files.length === 0;
+    recent.replaceChildren(
+      h('h3', {}, t('surface.recent')),
+      ...files.map(({ name, size: bytes }) => {
+        const forget = h(
+          'button',
+          { type: 'button', class: 'quiet small', onclick: () => onForget(name) },
+          icon('close'),
+        );
+        attribute(forget, 'aria-label', t('surface.forget', { name }));
+        return h(
+          'div',
+          {},
+          h(
+            'button',
+            { type: 'button', class: 'again', onclick: () => onRecent(name) },
+            h('span', {}, name),
+            h('small', {}, size(bytes)),
+          ),
+          forget,
+        );
+      }),
+    );
+  }
 
   /** @param {State} state */
   function showGallery(state) {
@@ -88,6 +120,7 @@ export function createSource(root, { onPick, onFiles, onSide, limit, ...onFile }
     /** @param {State} state */
     update(state) {
       showGallery(state);
+      showRecent(state);
       card.update(state);
       sideRow.hidden = !state.draft;
       if (!state.draft) return;

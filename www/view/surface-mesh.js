@@ -42,7 +42,8 @@ export function createSurfaceMesh() {
       .replace(
         '#include <normal_fragment_begin>',
         `vec3 normal = normalize(vNormal);
-        if (dot(normal, vViewPosition) < 0.0) {
+        vec3 toEye = isOrthographic ? vec3(0.0, 0.0, 1.0) : vViewPosition;
+        if (dot(normal, toEye) < 0.0) {
           normal = -normal;
           diffuseColor.rgb = mix(diffuseColor.rgb, backColor, 0.75);
         }
@@ -56,6 +57,8 @@ export function createSurfaceMesh() {
   group.add(mesh, arrows);
   /** @type {Picture | null} */
   let shown = null;
+  /** @type {Tint | null} */
+  let painted = null;
   const plain = new Color();
   const box = new Box3();
 
@@ -96,14 +99,25 @@ export function createSurfaceMesh() {
         tint.values.length > 0 &&
         shown !== null &&
         tint.values.length * 3 === shown.positions.length;
+      painted = coloured ? tint : null;
       if (coloured) {
-        mesh.geometry.setAttribute('color', new BufferAttribute(vertexColors(tint), 3, true));
+        const colors = new Uint8Array(tint.values.length * 3);
+        paintVertices(tint, colors, tint.values.keys());
+        mesh.geometry.setAttribute('color', new BufferAttribute(colors, 3, true));
       } else {
         mesh.geometry.deleteAttribute('color');
       }
       if (material.vertexColors !== coloured) material.needsUpdate = true;
       material.vertexColors = coloured;
       material.color.copy(coloured ? new Color(1, 1, 1) : plain);
+    },
+
+    /** Colours again what changed among the values of the tint. @param {Iterable<number>} vertices */
+    repaint(vertices) {
+      const colors = mesh.geometry.getAttribute('color');
+      if (!painted || !colors) return;
+      paintVertices(painted, /** @type {Uint8Array} */ (colors.array), vertices);
+      colors.needsUpdate = true;
     },
 
     /** @param {boolean} visible */
@@ -121,20 +135,19 @@ export function createSurfaceMesh() {
   };
 }
 
-/** @param {Tint} tint */
-function vertexColors({ values, low, high, color: colorOf }) {
-  const colors = new Uint8Array(values.length * 3);
+/** The renderer takes vertex colours as linear light. */
+const LINEAR = Array.from({ length: 256 }, (_, i) =>
+  Math.round(new Color().setRGB(i / 255, 0, 0, 'srgb').r * 255),
+);
+
+/** @param {Tint} tint @param {Uint8Array} colors @param {Iterable<number>} vertices */
+function paintVertices({ values, low, high, color: colorOf }, colors, vertices) {
   // Numbers that are all the same have the colour of the middle.
   const [middle, half] = [0.5 * (low + high), 0.5 * (high - low) || 1];
-  // The renderer takes vertex colours as linear light.
-  const linear = Array.from({ length: 256 }, (_, i) =>
-    Math.round(new Color().setRGB(i / 255, 0, 0, 'srgb').r * 255),
-  );
-  for (let i = 0; i < values.length; i += 1) {
+  for (const i of vertices) {
     const color = Number.isNaN(values[i]) ? UNKNOWN : colorOf((values[i] - middle) / half);
-    for (let k = 0; k < 3; k += 1) colors[3 * i + k] = linear[Math.round(color[k])];
+    for (let k = 0; k < 3; k += 1) colors[3 * i + k] = LINEAR[Math.round(color[k])];
   }
-  return colors;
 }
 
 /**

@@ -5,10 +5,7 @@
  *
  * @import { Outcome, Spec } from '../types.js'
  */
-import { STRIDE } from './path-lines.js';
-
-const KIND = 6;
-const LENGTH = 7;
+import { KIND, LENGTH, STRIDE } from './way.js';
 
 /**
  * @param {Outcome} outcome

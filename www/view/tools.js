@@ -7,7 +7,7 @@ import { t } from '../text/index.js';
 import { attribute, h } from './dom.js';
 import { TINTS, tintsOf } from './tint.js';
 
-const VIEWS = /** @type {const} */ (['fit', 'iso', 'top', 'front']);
+const VIEWS = /** @type {const} */ (['fit', 'iso']);
 const LAYERS = /** @type {('passes' | 'links' | 'rapids' | 'zones' | 'cutter' | 'side')[]} */ ([
   'passes',
   'links',
@@ -21,10 +21,42 @@ const LAYERS = /** @type {('passes' | 'links' | 'rapids' | 'zones' | 'cutter' | 
 
 /**
  * @param {{ views: HTMLElement, layers: HTMLElement }} roots
- * @param {{ onView: (view: ViewName) => void, onLayers: (layers: Layers) => void}} callbacks
+ * @param {{ onView: (view: ViewName) => void, onParallel: (isParallel: boolean) => void,
+ *   onFlat: (isFlat: boolean) => void, onLayers: (layers: Layers) => void}} callbacks
  */
-export function createTools(roots, { onView, onLayers }) {
+export function createTools(roots, { onView, onParallel, onFlat, onLayers }) {
+  const parallel = h(
+    'button',
+    {
+      type: 'button',
+      name: 'parallel',
+      'aria-pressed': 'false',
+      title: t('canvas.parallel.hint'),
+      onclick: switchLens,
+    },
+    t('canvas.parallel'),
+  );
+  const flat = h(
+    'button',
+    {
+      type: 'button',
+      name: 'flat',
+      'aria-pressed': 'false',
+      title: t('canvas.flat.hint'),
+      onclick: () => last && onFlat(!last.isFlat),
+    },
+    t('canvas.flat'),
+  );
+
+  function switchLens() {
+    const isParallel = parallel.getAttribute('aria-pressed') !== 'true';
+    attribute(parallel, 'aria-pressed', String(isParallel));
+    onParallel(isParallel);
+  }
+
   roots.views.append(
+    flat,
+    parallel,
     ...VIEWS.map((view) =>
       h('button', { type: 'button', name: `view-${view}`, onclick: () => onView(view) }, t(`canvas.${view}`)),
     ),
@@ -83,8 +115,12 @@ export function createTools(roots, { onView, onLayers }) {
   }
 
   return {
+    switchLens,
+
     /** @param {State} state */
     update(state) {
+      attribute(flat, 'aria-pressed', String(state.isFlat));
+      flat.hidden = !state.outcome || state.outcome.isPreview === true;
       if (last?.outcome !== state.outcome || last?.layers !== state.layers) showTints(state);
       last = state;
       showToggles(state.layers, state);

@@ -23,8 +23,9 @@ struct Module {
     feature: &'static str,
 }
 
-const MODULES: [Module; 3] = [
+const MODULES: [Module; 4] = [
     Module { name: "stepover", feature: "milling" },
+    Module { name: "study", feature: "study" },
     Module { name: "turning", feature: "turning" },
     Module { name: "machines", feature: "machines" },
 ];
