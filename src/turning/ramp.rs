@@ -97,7 +97,8 @@ mod tests {
             assert!((ramp.angle(now.time) - c).abs() < 1e-12, "{c}");
             let dt = now.time - before.time;
             let middle = 0.5 * (now.share + before.share);
-            assert!((0.01 - middle * dt).abs() < 2e-3 * dt, "{c}");
+            // From rest a step takes long, and the mean of its ends tells less of it.
+            assert!((0.01 - middle * dt).abs() < 5e-3 * dt, "{c}");
             let bend = 0.5 * (now.change + before.change);
             assert!((now.share - before.share - bend * dt).abs() < 3e-2 * dt, "{c}");
             before = now;
