@@ -15,7 +15,6 @@ mod iso_planar;
 mod left;
 mod link;
 mod order;
-mod places;
 mod placing;
 #[cfg(feature = "flow")]
 mod potential;
@@ -24,7 +23,6 @@ mod raster;
 mod run_out;
 mod setup;
 mod spacing;
-mod trim;
 mod unreached;
 mod walk;
 
