@@ -5,7 +5,7 @@ const PROGRESS_EVERY_MS = 30;
 
 /** @typedef {(phase: string, fraction: number) => void} Progress */
 /** @typedef {{ result: any, transfer: Transferable[] }} Answer */
-/** @typedef {Record<string, (args: any[], progress: Progress) => Answer>} Operations */
+/** @typedef {Record<string, (args: any[], progress: Progress) => Answer | Promise<Answer>>} Operations */
 
 /**
  * The planner throws a text that holds `{code, message, field?}`; anything else is a fault of its own.
@@ -56,7 +56,7 @@ export function serve(init, operations) {
     const { id, op, args } = data;
     try {
       await ready;
-      const { result, transfer } = operations[op](args, reporter(id));
+      const { result, transfer } = await operations[op](args, reporter(id));
       postMessage({ id, type: 'done', result }, { transfer });
     } catch (thrown) {
       postMessage({ id, type: 'error', ...problem(thrown) });

@@ -1,23 +1,13 @@
 /** Holds the turning planner: the only file that knows its module's functions. */
+import { serve } from '../serving.js';
 import init, * as planner from '../wasm/turning.js';
 
-/** Messages to the page are no use faster than it draws. */
-const PROGRESS_EVERY_MS = 30;
+/** @import { Progress } from '../serving.js' */
 
 /** Rays and places on each of the lens that is drawn. */
 const LENS = [360, 56];
 /** Points of the path that are drawn: more than a screen shows. */
 const DRAWN = 40_000;
-
-/** @type {(module: WebAssembly.Module) => void} */
-let provide;
-/** The module arrives as a message, and requests may arrive before it. */
-const ready = new Promise((resolve) => {
-  provide = resolve;
-}).then((module) => init({ module_or_path: /** @type {WebAssembly.Module} */ (module) }));
-
-/** @typedef {(phase: string, fraction: number) => void} Progress */
-/** @typedef {{ result: any, transfer: Transferable[] }} Answer */
 
 /** What was planned last, for its proof and its turns. @type {planner.Turned | null} */
 let current = null;
@@ -30,8 +20,7 @@ function plan(spec, progress) {
   return current;
 }
 
-/** @type {Record<string, (args: any[], progress: Progress) => Answer>} */
-const operations = {
+serve(init, {
   start: () => ({
     result: {
       schema: JSON.parse(planner.turning_schema()),
@@ -98,52 +87,9 @@ const operations = {
     planned.free();
     return { result: report, transfer: [] };
   },
-};
+});
 
 /** @param {Float32Array[]} arrays */
 function buffers(arrays) {
   return arrays.map((array) => /** @type {ArrayBuffer} */ (array.buffer));
 }
-
-/**
- * The planner throws a text that holds `{code, message, field?}`; anything else is a fault of its own.
- *
- * @param {unknown} thrown
- */
-function problem(thrown) {
-  if (typeof thrown === 'string') {
-    try {
-      return JSON.parse(thrown);
-    } catch {
-      return { code: 'planner', message: thrown };
-    }
-  }
-  return { code: 'trap', message: thrown instanceof Error ? thrown.message : String(thrown) };
-}
-
-/** @param {number} id @returns {Progress} */
-function reporter(id) {
-  let last = -PROGRESS_EVERY_MS;
-  return (phase, fraction) => {
-    const time = performance.now();
-    if (time - last < PROGRESS_EVERY_MS) return;
-    last = time;
-    postMessage({ id, type: 'progress', phase, fraction });
-  };
-}
-
-/** @param {MessageEvent} event */
-globalThis.onmessage = async ({ data }) => {
-  if (data.module) {
-    provide(data.module);
-    return;
-  }
-  const { id, op, args } = data;
-  try {
-    await ready;
-    const { result, transfer } = operations[op](args, reporter(id));
-    postMessage({ id, type: 'done', result }, { transfer });
-  } catch (thrown) {
-    postMessage({ id, type: 'error', ...problem(thrown) });
-  }
-};
