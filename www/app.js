@@ -17,7 +17,7 @@ import { createSession } from './session.js';
 import { BadLink, isLink, opened } from './share/link.js';
 import { completed, read, withFittingVariants, withVariant, write } from './spec.js';
 import { createState } from './state.js';
-import { language, switchLanguage, t } from './text/index.js';
+import { t } from './text/index.js';
 import { isInch, switchUnit } from './units.js';
 import { createAction } from './view/action.js';
 import { createStepoverChart } from './view/chart-stepover.js';
@@ -26,6 +26,7 @@ import { attribute, h, icon } from './view/dom.js';
 import { createDomain } from './view/domain.js';
 import { createDownloads } from './view/downloads.js';
 import { createKeys } from './view/keys.js';
+import { languageButton } from './view/language.js';
 import { createLegend } from './view/legend.js';
 import { createNotice } from './view/notice.js';
 import { createPicked } from './view/picked.js';
@@ -90,24 +91,13 @@ const keys = createKeys(document.body);
 const help = h('button', { type: 'button', class: 'quiet', name: 'keys', onclick: keys.show }, '?');
 attribute(help, 'aria-label', t('keys.title'));
 help.title = t('keys.title');
-const other = h(
-  'button',
-  {
-    type: 'button',
-    class: 'quiet',
-    name: 'language',
-    lang: language === 'zh' ? 'en' : 'zh',
-    onclick: switchLanguage,
-  },
-  t('action.language'),
-);
 document.documentElement.lang = t('locale');
 const unit = h(
   'button',
   { type: 'button', class: 'quiet', name: 'unit', title: t('action.unit.hint'), onclick: switchUnit },
   t(isInch ? 'action.unit.mm' : 'action.unit'),
 );
-place('history').append(unit, other, help);
+place('history').append(unit, languageButton(), help);
 const renew = h(
   'button',
   { type: 'button', class: 'small', name: 'update', onclick: update },

@@ -7,6 +7,7 @@ import { plain } from './format.js';
 import { chosen, fault, fieldsOf, fitting, pointsOf, pointsText, read, shapeOf } from './spec.js';
 import { has, prettify, t } from './text/index.js';
 import { shownIn } from './units.js';
+import { booleanControl, choiceControl, numberControl } from './view/controls.js';
 import { createCutterSketch } from './view/cutter-sketch.js';
 import { attribute, h, icon, say } from './view/dom.js';
 
@@ -137,11 +138,7 @@ export function createForm(root, { onEdit, onVariant, onChart, onPicking }) {
   /** @param {Field} field @param {string} path @returns {Control} */
   function control(field, path) {
     if (field.type === 'choice') {
-      const options = (field.options ?? []).map((option) =>
-        h('option', { value: option }, t(`choice.${option}`, {}, prettify(option))),
-      );
-      const select = h('select', { name: path, onchange: () => onEdit(path, select.value) }, ...options);
-      return select;
+      return choiceControl(path, (field.options ?? []).map(choice), (value) => onEdit(path, value));
     }
     if (field.type === 'points') {
       const area = h('textarea', {
@@ -153,22 +150,15 @@ export function createForm(root, { onEdit, onVariant, onChart, onPicking }) {
       });
       return area;
     }
-    if (field.type === 'boolean') {
-      const box = h('input', { type: 'checkbox', name: path, onchange: () => onEdit(path, box.checked) });
-      return box;
-    }
-    const input = h('input', {
-      type: 'number',
-      name: path,
-      // The step is for the arrow keys; values between the steps are as good.
-      step: shownIn(field.unit)[0] !== 1 ? 'any' : (field.step ?? (field.type === 'integer' ? 1 : 'any')),
+    if (field.type === 'boolean') return booleanControl(path, (value) => onEdit(path, value));
+    const isInteger = field.type === 'integer';
+    const range = {
+      step: shownIn(field.unit)[0] !== 1 ? 'any' : (field.step ?? (isInteger ? 1 : 'any')),
       min: shown(field, field.min),
       max: shown(field, field.max),
-      inputmode: field.type === 'integer' ? 'numeric' : 'decimal',
-      autocomplete: 'off',
-      oninput: () => onEdit(path, stored(field, input.valueAsNumber)),
-    });
-    return input;
+      isInteger,
+    };
+    return numberControl(path, range, (typed) => onEdit(path, stored(field, typed)));
   }
 
   /** @param {State} state @param {Spec} spec */
@@ -244,17 +234,21 @@ function unitText({ unit }) {
   return t(`unit.${shown}`, {}, shown);
 }
 
+/** An option and what a person reads. @param {string} option @returns {[string, string]} */
+function choice(option) {
+  return [option, t(`choice.${option}`, {}, prettify(option))];
+}
+
 /** A field's value in the unit that is shown; what is no number stays as it is. @param {Field} field @param {any} value */
 function shown({ unit }, value) {
   const [factor] = shownIn(unit);
   return typeof value === 'number' && factor !== 1 ? Number((value * factor).toPrecision(6)) : value;
 }
 
-/** What was typed, in the unit of the field; nothing if it is no number. @param {Field} field @param {number} typed */
+/** What was typed, in the unit of the field; nothing if it is no number. @param {Field} field @param {number | null} typed */
 function stored({ unit }, typed) {
   const [factor] = shownIn(unit);
-  if (Number.isNaN(typed)) return null;
-  return factor === 1 ? typed : Number((typed / factor).toPrecision(12));
+  return typed === null || factor === 1 ? typed : Number((typed / factor).toPrecision(12));
 }
 
 /** What is wrong with a value, in words; '' if nothing. @param {Field} field @param {any} value */

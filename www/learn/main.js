@@ -4,8 +4,9 @@
  */
 import { linked } from '../share/link.js';
 import { createStudyPlanner } from '../study/planner.js';
-import { language, t as page, switchLanguage } from '../text/index.js';
+import { t as page } from '../text/index.js';
 import { attribute, h } from '../view/dom.js';
+import { languageButton } from '../view/language.js';
 import { compared, createFamilies } from './figures/families.js';
 import { contactJob } from './figures/job.js';
 import { createRestarts, monkeySaddle } from './figures/restarts.js';
@@ -94,14 +95,7 @@ function start() {
     h('a', { href: './learn.html', 'aria-current': 'page' }, page('learn.link')),
     h('a', { href: './turning.html' }, page('turning.link')),
   );
-  const other = language === 'zh' ? 'en' : 'zh';
-  place('history').append(
-    h(
-      'button',
-      { type: 'button', class: 'quiet', name: 'language', lang: other, onclick: switchLanguage },
-      page('action.language'),
-    ),
-  );
+  place('history').append(languageButton());
   attribute(place('contents'), 'aria-label', t('contents'));
   place('contents').append(
     h('ol', {}, ...lessons.map(({ id, title }) => h('li', {}, h('a', { href: `#${id}` }, ...inline(title))))),

@@ -1,5 +1,6 @@
 /** Texts of the lessons, in the language that was chosen. */
 import { language } from '../text/index.js';
+import { lookup } from '../text/lookup.js';
 import en from './texts/en.js';
 
 /** @typedef {{ id: string, title: string, blocks: ([string] | [string, string] | [string, string, string])[] }} Lesson */
@@ -9,7 +10,4 @@ const { table, lessons } = language === 'zh' ? (await import('./texts/zh.js')).d
 
 export { lessons };
 
-/** The text with this id, its `{places}` filled. @param {string} id @param {Record<string, string | number>} [places] */
-export function t(id, places = {}) {
-  return (table[id] ?? en.table[id] ?? id).replace(/\{(\w+)\}/g, (all, name) => String(places[name] ?? all));
-}
+export const { t } = lookup({ ...en.table, ...table });

@@ -6,6 +6,7 @@
  */
 import { plain } from '../format.js';
 import { fault, fieldsOf, read } from '../spec.js';
+import { booleanControl, choiceControl, numberControl } from '../view/controls.js';
 import { attribute, h, say } from '../view/dom.js';
 import { has, prettify, t } from './text.js';
 
@@ -25,31 +26,9 @@ export function createForm({ dialect, more }, { onEdit }) {
 
   /** @param {Field} field @param {string} path */
   function control(field, path) {
-    if (field.type === 'choice') {
-      const options = (field.options ?? []).map((option) =>
-        h('option', { value: option }, t(`choice.${option}`, {}, prettify(option))),
-      );
-      /** @type {HTMLSelectElement} */
-      const select = h('select', { name: path, onchange: () => onEdit(path, select.value) }, ...options);
-      return select;
-    }
-    if (field.type === 'boolean') {
-      /** @type {HTMLInputElement} */
-      const box = h('input', { type: 'checkbox', name: path, onchange: () => onEdit(path, box.checked) });
-      return box;
-    }
-    /** @type {HTMLInputElement} */
-    const input = h('input', {
-      type: 'number',
-      name: path,
-      step: field.step ?? 'any',
-      min: field.min,
-      max: field.max,
-      inputmode: 'decimal',
-      autocomplete: 'off',
-      oninput: () => onEdit(path, Number.isNaN(input.valueAsNumber) ? null : input.valueAsNumber),
-    });
-    return input;
+    const edit = (/** @type {any} */ value) => onEdit(path, value);
+    if (field.type === 'choice') return choiceControl(path, (field.options ?? []).map(choice), edit);
+    return field.type === 'boolean' ? booleanControl(path, edit) : numberControl(path, field, edit);
   }
 
   /** @param {Group} group @param {Field} field */
@@ -111,6 +90,11 @@ export function createForm({ dialect, more }, { onEdit }) {
       }
     },
   };
+}
+
+/** An option and what a person reads. @param {string} option @returns {[string, string]} */
+function choice(option) {
+  return [option, t(`choice.${option}`, {}, prettify(option))];
 }
 
 /** What is wrong with a value, in words; '' if nothing. @param {Field} field @param {any} value */

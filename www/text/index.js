@@ -1,5 +1,6 @@
 /** Looks texts up: in the language that was chosen, or else the system's. */
 import en from './en.js';
+import { lookup } from './lookup.js';
 
 const KEY = 'language';
 
@@ -29,20 +30,7 @@ export function switchLanguage() {
   location.reload();
 }
 
-/**
- * The text with this id, its `{places}` filled; for an unknown id the text `fallback`, or the id.
- *
- * @param {string} id
- * @param {Record<string, string | number>} [places]
- * @param {string} [fallback]
- */
-export function t(id, places = {}, fallback = id) {
-  const text = table[id] ?? fallback;
-  return text.replace(/\{(\w+)\}/g, (all, name) => String(places[name] ?? all));
-}
-
-/** Whether there is a text with this id. @param {string} id */
-export const has = (id) => id in table;
+export const { t, has } = lookup(table);
 
 /**
  * A readable form of a name that the table does not know: `corner_radius_mm` is “Corner radius”.

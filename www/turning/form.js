@@ -6,6 +6,7 @@
  */
 import { count, plain } from '../format.js';
 import { chosen, fault, fieldsOf, pointsOf, pointsText, read } from '../spec.js';
+import { booleanControl, choiceControl, numberControl } from '../view/controls.js';
 import { attribute, h, say } from '../view/dom.js';
 import { has, prettify, t } from './text.js';
 
@@ -99,11 +100,7 @@ export function createForm(root, { onEdit, onVariant, onPick }) {
   function control(field, path) {
     const type = /** @type {string} */ (field.type);
     if (type === 'choice') {
-      const options = (field.options ?? []).map((option) =>
-        h('option', { value: option }, t(`choice.${option}`, {}, prettify(option))),
-      );
-      const select = h('select', { name: path, onchange: () => onEdit(path, select.value) }, ...options);
-      return select;
+      return choiceControl(path, (field.options ?? []).map(choice), (value) => onEdit(path, value));
     }
     if (type === 'points' || type === 'numbers') {
       const value = type === 'points' ? pointsOf : numbersOf;
@@ -111,26 +108,12 @@ export function createForm(root, { onEdit, onVariant, onPick }) {
       area.addEventListener('input', () => onEdit(path, value(area.value)));
       return area;
     }
-    if (type === 'boolean') {
-      const box = h('input', { type: 'checkbox', name: path, onchange: () => onEdit(path, box.checked) });
-      return box;
-    }
+    if (type === 'boolean') return booleanControl(path, (value) => onEdit(path, value));
     if (type === 'text') {
       const text = h('input', { type: 'text', name: path, oninput: () => onEdit(path, text.value) });
       return text;
     }
-    const input = h('input', {
-      type: 'number',
-      name: path,
-      // The step is for the arrow keys; values between the steps are as good.
-      step: field.step ?? 'any',
-      min: field.min,
-      max: field.max,
-      inputmode: 'decimal',
-      autocomplete: 'off',
-      oninput: () => onEdit(path, Number.isNaN(input.valueAsNumber) ? null : input.valueAsNumber),
-    });
-    return input;
+    return numberControl(path, field, (value) => onEdit(path, value));
   }
 
   /** @param {State} state */
@@ -201,6 +184,11 @@ function showValue(input, field, value) {
     const typed = Number.isNaN(input.valueAsNumber) ? null : input.valueAsNumber;
     if (typed !== (value ?? null)) input.value = value === null || value === undefined ? '' : String(value);
   } else if (input.value !== String(value ?? '')) input.value = String(value ?? '');
+}
+
+/** An option and what a person reads. @param {string} option @returns {[string, string]} */
+function choice(option) {
+  return [option, t(`choice.${option}`, {}, prettify(option))];
 }
 
 /** The numbers of a text between commas, blanks or line ends. @param {string} text */

@@ -7,8 +7,9 @@
 import { count } from '../format.js';
 import { MOST } from '../share/link.js';
 import { attribute, h, icon, say } from '../view/dom.js';
+import { languageButton } from '../view/language.js';
 import { linked } from './link.js';
-import { language, switchLanguage, t } from './text.js';
+import { t } from './text.js';
 
 /**
  * @param {HTMLElement} root
@@ -60,24 +61,13 @@ export function createHead(root, { onUndo, onRedo, onFiles }) {
   );
   const share = h('button', { type: 'button', name: 'share' }, icon('share'), h('span', {}, t('share.open')));
   attribute(share, 'aria-label', t('share.open'));
-  const other = h(
-    'button',
-    {
-      type: 'button',
-      class: 'quiet',
-      name: 'language',
-      lang: language === 'zh' ? 'en' : 'zh',
-      onclick: switchLanguage,
-    },
-    t('action.language'),
-  );
   root.append(
     picker,
     undo,
     redo,
     quiet('open', () => picker.click()),
     share,
-    other,
+    languageButton(),
     dialog,
   );
   /** @type {any} */
