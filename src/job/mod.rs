@@ -7,6 +7,7 @@ mod error;
 mod fields;
 mod gallery;
 mod inspect;
+mod joining;
 mod kinds;
 #[cfg(feature = "machines")]
 pub mod machines;

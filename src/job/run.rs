@@ -1,17 +1,18 @@
 //! From a specification to a program that was proven.
 
 use super::error::JobError;
+use super::joining::Joining;
 use super::picture::Picture;
 use super::report::{Lengths, Report, Unreachable, Verified, minutes};
 use super::shape::Shape;
 use super::spec::{AlongSpec, OrderSpec, Spec, StrategySpec, VERSION};
 use crate::contact::{DropMesh, FaceObstacle, Underside, is_in_mesh};
-use crate::cutter::Cutter;
+use crate::cutter::{Cutter, Holder};
 use crate::geometry::{Along, Face, TriMesh, Zone};
 use crate::monitor::Stage;
 use crate::post::{self, Program};
 use crate::posture::Rule;
-use crate::strategy::{self, LOOK, Linked, Linking, Outline, Planned, RasterError, RasterOptions, Refuge};
+use crate::strategy::{self, LOOK, Linked, Outline, Planned, RasterError, RasterOptions, Refuge};
 use crate::toolpath::{ClPoint, Pass, Posture, Touch};
 use crate::verify::{self, Histogram, Options, Samples, Verification};
 use glam::DVec3;
@@ -58,11 +59,12 @@ pub fn plan(spec: &Spec, bytes: Option<&[u8]>, stage: &Stage) -> Result<Plan, Jo
     }
     stage.part("Reading the shape", 0.0, 0.02).at(0.0)?;
     let cutter = spec.cutter.cutter()?;
+    let tool = Tool { cutter: &cutter, holder: spec.holder(&cutter)? };
     let (shape, mut warnings) = spec.source.shape(bytes)?;
     let planning = stage.part("Planning", 0.02, 0.95);
     let (planned, linked) = match &shape {
-        Shape::Face(face) => on_face(spec, face, &cutter, &mut warnings, &planning)?,
-        Shape::Mesh(mesh) => on_mesh(spec, mesh, &cutter, &mut warnings, &planning)?,
+        Shape::Face(face) => on_face(spec, face, &tool, &mut warnings, &planning)?,
+        Shape::Mesh(mesh) => on_mesh(spec, mesh, &tool, &mut warnings, &planning)?,
     };
     let program = Program {
         part: spec.name.clone(),
@@ -173,13 +175,20 @@ impl Plan {
     }
 }
 
+/// What stands in the spindle.
+struct Tool<'a> {
+    cutter: &'a Cutter,
+    holder: Option<Holder>,
+}
+
 fn on_face(
     spec: &Spec,
     face: &Face,
-    cutter: &Cutter,
+    tool: &Tool,
     warnings: &mut Vec<String>,
     stage: &Stage,
 ) -> Result<(Planned, Linked), JobError> {
+    let Tool { cutter, holder } = tool;
     let finish = spec.finish()?;
     let passing = stage.part("Planning", 0.0, 0.95);
     let rule = spec.strategy.rule()?.unwrap_or(Rule::Fixed(Posture::default()));
@@ -216,35 +225,34 @@ fn on_face(
     };
     let passes = ordered(planned.passes, spec.strategy.order(), false);
     let planned = Planned { passes, ..planned };
-    let holder = spec.holder(cutter)?;
-    let how = spec.linking(cutter, holder.as_ref());
     let obstacle = FaceObstacle::for_cutter(face, cutter);
-    let outline = Outline::new(cutter, holder.as_ref());
-    let refuge = Refuge::around(obstacle.bounds(), &outline, &how);
-    let held = holder.map(|holder| holder.solid());
-    // Larger by `more`, to either side of it.
+    let held = holder.as_ref().map(Holder::solid);
+    // Each larger by `more`, to either side of it.
+    let clears = |cl: &ClPoint, more: f64| face_clears(&obstacle, cutter, more, cl, 0.0);
     let holder_clears =
         |cl: &ClPoint, more: f64| held.is_none_or(|(solid, up)| face_clears(&obstacle, &solid, more, cl, up));
-    // What the cutter moves between two looks.
-    let more = 0.5 * LOOK;
-    let is_clear = |cl: &ClPoint| {
-        face_clears(&obstacle, cutter, more, cl, 0.0)
-            && holder_clears(cl, more)
-            && how.fixture.is_none_or(|height| outline.lowest(cl) > height)
+    let joining = Joining {
+        how: spec.linking(cutter, holder.as_ref()),
+        outline: Outline::new(cutter, holder.as_ref()),
+        clears: &clears,
+        holder_clears: &holder_clears,
+        // What the cutter moves between two looks, to either side.
+        more: 0.5 * LOOK,
     };
+    let refuge = Refuge::around(obstacle.bounds(), &joining.outline, &joining.how);
     let linked =
-        strategy::link(&planned.passes, &how, &refuge, &is_clear, &stage.part("Joining passes", 0.95, 1.0))?;
-    warnings.extend(met(&linked, &how, &outline, &|cl: &ClPoint| holder_clears(cl, 0.0)));
+        joining.joined(&planned.passes, &refuge, warnings, &stage.part("Joining passes", 0.95, 1.0))?;
     Ok((planned, linked))
 }
 
 fn on_mesh(
     spec: &Spec,
     mesh: &TriMesh,
-    cutter: &Cutter,
+    tool: &Tool,
     warnings: &mut Vec<String>,
     stage: &Stage,
 ) -> Result<(Planned, Linked), JobError> {
+    let Tool { cutter, holder } = tool;
     let StrategySpec::Raster { angle_deg, order } = spec.strategy else {
         let message = "must be raster: this shape is a mesh, which has no parameters".into();
         return Err(JobError::field("strategy.kind", message));
@@ -279,22 +287,21 @@ fn on_mesh(
         return Err(JobError::Strategy(why.into()));
     }
     let passes = ordered(raster.passes, order, order == OrderSpec::Zigzag);
-    let holder = spec.holder(cutter)?;
-    let how = spec.linking(cutter, holder.as_ref());
-    let outline = Outline::new(cutter, holder.as_ref());
     let top = mesh.bounds().map_or(0.0, |(_, high)| high.z);
     let (lowered, under) = (DropMesh::new(mesh), Underside::new(cutter));
-    let held = holder.map(|holder| holder.solid()).map(|(solid, up)| (Underside::new(&solid), up));
+    let held = holder.as_ref().map(Holder::solid).map(|(solid, up)| (Underside::new(&solid), up));
+    let clears = |cl: &ClPoint, less: f64| mesh_clears(&lowered, &under, cl, -less);
     let holder_clears =
         |cl: &ClPoint, less: f64| held.is_none_or(|(under, up)| mesh_clears(&lowered, &under, cl, up - less));
-    let is_clear = |cl: &ClPoint| {
-        mesh_clears(&lowered, &under, cl, -LOOK)
-            && holder_clears(cl, LOOK)
-            && how.fixture.is_none_or(|height| outline.lowest(cl) > height)
+    let joining = Joining {
+        how: spec.linking(cutter, holder.as_ref()),
+        outline: Outline::new(cutter, holder.as_ref()),
+        clears: &clears,
+        holder_clears: &holder_clears,
+        more: LOOK,
     };
-    let refuge = Refuge::Above(top + how.clearance);
-    let linked = strategy::link(&passes, &how, &refuge, &is_clear, &stage.part("Joining passes", 0.95, 1.0))?;
-    warnings.extend(met(&linked, &how, &outline, &|cl: &ClPoint| holder_clears(cl, 0.0)));
+    let refuge = Refuge::Above(top + joining.how.clearance);
+    let linked = joining.joined(&passes, &refuge, warnings, &stage.part("Joining passes", 0.95, 1.0))?;
     let (unreached, unseen) = (raster.unreached, raster.unseen);
     Ok((Planned { passes, unreached, unseen, largest_fit: None }, linked))
 }
@@ -319,25 +326,6 @@ fn ordered(passes: Vec<Pass>, order: OrderSpec, turned: bool) -> Vec<Pass> {
         None => strategy::nearest_next(passes, turned),
     }
 }
-
-/// Where the holder does not clear the part, and where the tool goes below what the part stands on: cuts do not ask for either.
-fn met(linked: &Linked, how: &Linking, outline: &Outline, clears: &dyn Fn(&ClPoint) -> bool) -> Vec<String> {
-    let moves = &linked.toolpath.moves;
-    let told = |what: &str, meets: &dyn Fn(&ClPoint) -> bool| {
-        let (first, step) = moves.iter().enumerate().find(|(_, step)| meets(&step.to))?;
-        let count = moves.iter().filter(|step| meets(&step.to)).count();
-        let [x, y, z] = step.to.tip.to_array();
-        Some(format!("{what} at {count} moves, first at move {first} to ({x:.3}, {y:.3}, {z:.3})"))
-    };
-    let held = told("the holder does not clear the part", &|cl| !clears(cl));
-    let below = how.fixture.and_then(|height| {
-        told("the tool goes below the fixture", &|cl| outline.lowest(cl) < height - FIXTURE_ROUNDING)
-    });
-    held.into_iter().chain(below).collect()
-}
-
-/// How far below the fixture counts as a rounding error, mm.
-const FIXTURE_ROUNDING: f64 = 1e-9;
 
 /// The shape of `spec` to draw before anything is planned.
 pub fn preview(spec: &Spec, bytes: Option<&[u8]>) -> Result<Picture, JobError> {

@@ -149,11 +149,10 @@ impl Refuge {
     fn way(&self, a: ClPoint, b: ClPoint) -> Vec<ClPoint> {
         let Self::Outside { center, radius, above } = *self else { return vec![b] };
         let direct = Self::arc(center, a, b);
-        let least = a.tip.z.min(b.tip.z);
         let dips = |(outline, height): (Outline, f64)| {
             // What the ends themselves do is not the way's fault.
             let lowest = |cl: &ClPoint| outline.lowest(cl);
-            let ends = lowest(&a).min(lowest(&b)).min(least);
+            let ends = lowest(&a).min(lowest(&b));
             direct.iter().map(lowest).fold(f64::INFINITY, f64::min) < height.min(ends)
         };
         if !above.is_some_and(dips) {
