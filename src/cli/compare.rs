@@ -2,8 +2,8 @@
 
 use super::plan::load;
 use super::progress::Terminal;
-use super::{Failure, print, read_text, workers};
-use crate::job::machines::{self, Dialect, Machine, PostOptions};
+use super::{Failure, post, print, workers};
+use crate::job::machines::{self, Machine, PostOptions};
 use crate::job::{self, Contender, Floor, Report};
 use crate::monitor::Stage;
 use clap::Args;
@@ -103,19 +103,18 @@ struct Shop {
 
 impl Shop {
     fn new(path: &Path, dialect: &str) -> Result<Self, Failure> {
-        let dialect = Dialect::named(dialect)
-            .ok_or_else(|| Failure::Call(format!("--dialect {dialect}: see `stepover post --help`")))?;
-        let machine = machines::machine(&read_text(path)?)
-            .map_err(|e| Failure::Job(format!("{}: {e}", path.display())))?;
-        Ok(Self { machine, options: PostOptions::new(dialect) })
+        let options = PostOptions::new(post::dialect(dialect)?);
+        Ok(Self { machine: post::machine(path)?, options })
     }
 
     /// How long the machine takes for a plan, min.
     fn minutes(&self, plan: &job::Plan) -> Result<f64, String> {
-        let stage = Stage::silent();
-        machines::post(&plan.apt, Some(&plan.csv), &self.machine, &self.options, &stage)
-            .map(|posted| posted.times.total() / 60.0)
-            .map_err(|e| e.to_string())
+        // The program as its text reads.
+        let program = plan.emitted.clone();
+        let posted = machines::contacts(&plan.csv, &program.toolpath).and_then(|contacts| {
+            machines::post_program(program, &contacts, &self.machine, &self.options, &Stage::silent())
+        });
+        posted.map(|posted| posted.times.total() / 60.0).map_err(|e| e.to_string())
     }
 }
 

@@ -3,7 +3,7 @@
 use super::plan::load;
 use super::progress::Terminal;
 use super::{Failure, print, read_text, workers};
-use crate::job::machines::{self, Cutting, Dialect, Kept, Layout, PostOptions, Posted};
+use crate::job::machines::{self, Cutting, Dialect, Kept, Layout, Machine, PostOptions, Posted};
 use crate::job::{JobError, Verified};
 use crate::monitor::Stage;
 use clap::Args;
@@ -65,12 +65,8 @@ pub(super) struct Post {
 
 impl Post {
     pub(super) fn run(&self) -> Result<(), Failure> {
-        let dialect = Dialect::named(&self.dialect).ok_or_else(|| {
-            let known = Dialect::ALL.map(Dialect::name).join(", ");
-            Failure::Call(format!("--dialect {}: must be one of {known}", self.dialect))
-        })?;
-        let machine =
-            machines::machine(&read_text(&self.machine)?).map_err(|e| in_file(&self.machine, &e))?;
+        let dialect = dialect(&self.dialect)?;
+        let machine = machine(&self.machine)?;
         let options = self.options(dialect)?;
         let table = self.contacts.as_ref().map(|path| read_text(path)).transpose()?;
         let terminal = Terminal::new();
@@ -125,6 +121,19 @@ impl Post {
     }
 }
 
+/// The dialect of this name.
+pub(super) fn dialect(name: &str) -> Result<Dialect, Failure> {
+    Dialect::named(name).ok_or_else(|| {
+        let known = Dialect::ALL.map(Dialect::name).join(", ");
+        Failure::Call(format!("--dialect {name}: must be one of {known}"))
+    })
+}
+
+/// The machine that a file describes.
+pub(super) fn machine(path: &Path) -> Result<Machine, Failure> {
+    machines::machine(&read_text(path)?).map_err(|e| in_file(path, &e))
+}
+
 fn in_file(path: &Path, error: &JobError) -> Failure {
     Failure::Job(format!("{}: {error}", path.display()))
 }
@@ -173,11 +182,7 @@ fn summary(posted: &Posted) -> Result<(), Failure> {
         print(&format!("turned over  {} times, on links", posted.path.turn_overs))?;
     }
     for (k, axis) in posted.kinematics.axes().iter().enumerate() {
-        let at = || posted.path.moves.iter().map(|step| step.at.all()[k]);
-        let shown = |x: f64| if axis.is_rotary() { x.to_degrees() } else { x };
-        let low = shown(at().fold(f64::INFINITY, f64::min));
-        let high = shown(at().fold(f64::NEG_INFINITY, f64::max));
-        let unit = if axis.is_rotary() { "°" } else { " mm" };
+        let ([low, high], unit) = (posted.path.span(k).map(|x| axis.shown(x)), axis.unit());
         print(&format!("{}            {low:.3} to {high:.3}{unit} in machine coordinates", axis.letter))?;
     }
     if let Some(cutting) = &posted.cutting {

@@ -53,6 +53,16 @@ impl Axis {
         matches!(self.joint, Joint::Rotary { .. })
     }
 
+    /// A position, a speed or a limit of it as a person reads it: in mm or degrees, a second.
+    pub fn shown(&self, x: f64) -> f64 {
+        if self.is_rotary() { x.to_degrees() } else { x }
+    }
+
+    /// The unit of [`Axis::shown`], as it stands behind a number.
+    pub fn unit(&self) -> &'static str {
+        if self.is_rotary() { "°" } else { " mm" }
+    }
+
     /// Whether `position` is within the limits.
     pub(super) fn holds(&self, position: f64) -> bool {
         within(self.limits, position)

@@ -34,3 +34,11 @@ pub struct AxisPath {
     /// How often an axis was turned back, or the other inverse solution taken, on a link.
     pub turn_overs: usize,
 }
+
+impl AxisPath {
+    /// Least and greatest position of the axis at `place` in the order of [`Position::all`]; infinite where nothing moves.
+    pub fn span(&self, place: usize) -> [f64; 2] {
+        let at = || self.moves.iter().map(|step| step.at.all()[place]);
+        [at().fold(f64::INFINITY, f64::min), at().fold(f64::NEG_INFINITY, f64::max)]
+    }
+}

@@ -99,9 +99,8 @@ pub enum MotionError {
 impl MotionError {
     /// `axis` would leave its limits at `position`, on move `index` to `point`.
     pub(super) fn limit(index: usize, point: DVec3, axis: &Axis, position: f64) -> Self {
-        let shown = |x: f64| if axis.is_rotary() { x.to_degrees() } else { x };
-        let [low, high] = axis.limits.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]).map(shown);
-        let unit = if axis.is_rotary() { "°" } else { " mm" };
-        Self::Limit { index, point, letter: axis.letter, position: shown(position), low, high, unit }
+        let [low, high] = axis.limits.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]).map(|x| axis.shown(x));
+        let (position, unit) = (axis.shown(position), axis.unit());
+        Self::Limit { index, point, letter: axis.letter, position, low, high, unit }
     }
 }

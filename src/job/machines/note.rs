@@ -104,16 +104,17 @@ pub fn notes(posted: &Posted) -> Vec<Note> {
     let swings = swings(posted);
     // An axis that swings is as fast as it can be: that need not be told twice.
     let is_told = |note: &Note| {
+        let Matter::Slowed { letter: slow, .. } = note.matter else { return false };
         let near = |other: &Note| other.first <= note.last + 2 && note.first <= other.last + 2;
-        matches!(note.matter, Matter::Slowed { letter, .. } if letter == axes[3].letter)
-            && swings.iter().any(near)
+        let swings_so = |other: &Note| matches!(other.matter, Matter::Pole { letter, .. } if letter == slow);
+        swings.iter().any(|other| swings_so(other) && near(other))
     };
     let mut all = gathered(moves.windows(2).filter_map(|pair| slowed(posted, pair)), |a, b| {
         if b.weight() > a.weight() {
             a.matter = b.matter;
         }
     });
-    all.retain(|note| swings.is_empty() || !is_told(note));
+    all.retain(|note| !is_told(note));
     all.extend(swings.iter().copied());
     let drawn_back =
         moves.iter().filter(|step| step.turns_over).map(|step| at(Matter::TurnedOver, step.source));
@@ -177,9 +178,8 @@ fn near_limit(axis: &Axis, place: usize, moves: &[AxisMove]) -> Option<Note> {
     let [low, high] = axis.limits?;
     let left = |step: &AxisMove| (step.at.all()[place] - low).min(high - step.at.all()[place]).max(0.0);
     let nearest = moves.iter().min_by(|a, b| left(a).total_cmp(&left(b)))?;
-    let (shown, unit) =
-        if axis.is_rotary() { (left(nearest).to_degrees(), "°") } else { (left(nearest), " mm") };
-    let matter = Matter::NearLimit { letter: axis.letter, left: shown, unit };
+    let matter =
+        Matter::NearLimit { letter: axis.letter, left: axis.shown(left(nearest)), unit: axis.unit() };
     (left(nearest) < NEAR * (high - low)).then(|| at(matter, nearest.source))
 }
 

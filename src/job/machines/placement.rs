@@ -1,7 +1,9 @@
 //! How a part is clamped.
 
+use super::contacts::Contact;
 use crate::toolpath::{ClPoint, Toolpath};
 use glam::{DMat3, DVec3};
+use std::borrow::Cow;
 
 /// Where the part's own frame lies in the workpiece frame of the machine: turned about x, then y, then z, and shifted.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -39,9 +41,14 @@ impl Placement {
         about(2) * about(1) * about(0)
     }
 
-    /// A point of the part in the workpiece frame.
-    pub fn point(&self, point: DVec3) -> DVec3 {
-        self.turn() * point + DVec3::from(self.shift_mm)
+    /// Contacts on the part in the workpiece frame.
+    pub(super) fn contacts<'c>(&self, contacts: &'c [Option<Contact>]) -> Cow<'c, [Option<Contact>]> {
+        if self.is_none() {
+            return contacts.into();
+        }
+        let (turn, shift) = (self.turn(), DVec3::from(self.shift_mm));
+        let placed = |contact: &Contact| Contact { point: turn * contact.point + shift, ..*contact };
+        contacts.iter().map(|contact| contact.as_ref().map(placed)).collect()
     }
 
     /// A path over the part in the workpiece frame.

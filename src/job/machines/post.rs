@@ -179,8 +179,7 @@ pub fn post_program(
     if !options.placement.is_none() {
         toolpath = options.placement.path(&toolpath);
     }
-    let placed = |contact: &Contact| Contact { point: options.placement.point(contact.point), ..*contact };
-    let contacts: Vec<Option<Contact>> = contacts.iter().map(|c| c.as_ref().map(placed)).collect();
+    let contacts = options.placement.contacts(contacts);
     let aside = match (options.pole, kinematics.pole()) {
         (Pole::Aside { degrees }, Some(pole)) => {
             tilt_aside(&mut toolpath, &cutter, &contacts, pole, degrees.to_radians())?

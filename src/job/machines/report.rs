@@ -10,15 +10,14 @@ use serde_json::{Value, json};
 /// every axis (mm and degrees, machine coordinates), and what is worth knowing.
 pub fn report_json(posted: &Posted, timeline: &Timeline) -> String {
     let axes = posted.kinematics.axes().iter().enumerate().map(|(place, axis)| {
-        let shown = |x: f64| if axis.is_rotary() { x.to_degrees() } else { x };
-        let at = || posted.path.moves.iter().map(|step| step.at.all()[place]);
+        let [least, greatest] = posted.path.span(place).map(|x| axis.shown(x));
         json!({
             "letter": axis.letter.to_string(),
-            "unit": if axis.is_rotary() { "°" } else { "mm" },
-            "limits": axis.limits.map(|limits| limits.map(shown)),
-            "speed": shown(axis.speed),
-            "least": shown(at().fold(f64::INFINITY, f64::min)),
-            "greatest": shown(at().fold(f64::NEG_INFINITY, f64::max)),
+            "unit": axis.unit().trim(),
+            "limits": axis.limits.map(|limits| limits.map(|x| axis.shown(x))),
+            "speed": axis.shown(axis.speed),
+            "least": least,
+            "greatest": greatest,
         })
     });
     let times = &posted.times;

@@ -39,7 +39,8 @@ impl Show {
         let scene = Scene { tool, workpiece: [low, high], used: used(posted) };
         let figure = chain.figure(&posted.machine, &scene);
         let hull = hull(posted, &chain, &figure);
-        let line = tips.into_iter().step_by(1 + cuts_of(posted) / MOST_POINTS).collect();
+        let every = 1 + tips.len() / MOST_POINTS;
+        let line = tips.into_iter().step_by(every).collect();
         Self { chain, figure, line, hull, zero: posted.machine.workpiece_zero }
     }
 
@@ -78,7 +79,7 @@ impl Show {
 pub fn told(posted: &Posted, timeline: &Timeline, share: f64) -> Vec<f64> {
     let moment = timeline.at_share(share);
     let axes = posted.kinematics.axes().iter().zip(moment.position.all());
-    let positions = axes.map(|(axis, at)| if axis.is_rotary() { at.to_degrees() } else { at });
+    let positions = axes.map(|(axis, at)| axis.shown(at));
     std::iter::once(moment.seconds).chain(positions).collect()
 }
 
@@ -96,8 +97,7 @@ pub fn band(
     let columns = columns.clamp(1, 10_000);
     let band =
         if speeds { timeline.speeds(place, span, columns) } else { timeline.positions(place, span, columns) };
-    let shown = |x: f64| if axis.is_rotary() { x.to_degrees() } else { x };
-    let known = |x: f64| if x.is_finite() { shown(x) as f32 } else { f32::NAN };
+    let known = |x: f64| if x.is_finite() { axis.shown(x) as f32 } else { f32::NAN };
     band.into_iter().flatten().map(known).collect()
 }
 
@@ -146,10 +146,6 @@ fn hull(posted: &Posted, chain: &Chain, figure: &Figure) -> Vec<DVec3> {
         }
     }
     farthest.into_iter().map(|(_, _, point)| point).collect()
-}
-
-fn cuts_of(posted: &Posted) -> usize {
-    posted.toolpath.moves.iter().filter(|step| step.role == Role::Cut).count()
 }
 
 /// A tenth of a millimetre: nobody sees less.

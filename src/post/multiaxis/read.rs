@@ -287,12 +287,11 @@ impl<'a> State<'a> {
         for (axis, position) in self.kinematics.axes().iter().zip(at.all()) {
             let Some([low, high]) = axis.limits else { continue };
             if position < low - ROUNDING || position > high + ROUNDING {
-                let shown = |x: f64| if axis.is_rotary() { x.to_degrees() } else { x };
                 let message = format!(
                     "must be between {:.3} and {:.3} in machine coordinates, and goes to {:.3}",
-                    shown(low),
-                    shown(high),
-                    shown(position)
+                    axis.shown(low),
+                    axis.shown(high),
+                    axis.shown(position)
                 );
                 return Err(ReadError::statement(number, &axis.letter.to_string(), message));
             }
