@@ -105,7 +105,7 @@ pub enum TurningError {
         x: f64,
         /// Angle, degrees.
         degrees: f64,
-        /// The radius of a nose that does, mm; 0 if that was not looked for.
+        /// The radius of a nose that does, mm.
         most: f64,
     },
     /// Points lie too far apart.

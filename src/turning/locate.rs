@@ -3,6 +3,7 @@
 use super::error::TurningError;
 use super::height_jet::{HeightJet, PolarJet};
 use super::placed::Placed;
+use super::round::round_down;
 use crate::toolpath::Nose;
 
 /// Where the nose touches, seen from its centre and turned with the tool: along the radius and square to it, mm. A good guess
@@ -22,6 +23,8 @@ pub struct Location {
     pub offset: Offset,
 }
 
+/// Halvings of a radius: three digits are said.
+const LOOKS: usize = 12;
 /// Newton steps before giving up: it doubles the digits with each, and a path gives guesses of three.
 const MOST_STEPS: usize = 60;
 
@@ -32,7 +35,7 @@ const MOST_STEPS: usize = 60;
 /// `f + r/w`; an insert's likewise within its section. The slopes of the centre's surface are those of the part at the contact,
 /// since parallel surfaces have parallel tangent planes.
 ///
-/// Errors: no contact is found, which only happens where the nose is larger than a hollow.
+/// Errors: no contact is found, which only happens where the nose is larger than a hollow; says which nose would do.
 pub fn locate(
     part: &Placed,
     nose: Nose,
@@ -40,11 +43,36 @@ pub fn locate(
     (cos, sin): (f64, f64),
     guess: Offset,
 ) -> Result<Location, TurningError> {
-    let found = match nose {
-        Nose::Ball(r) => ball(part, r, x, (cos, sin), guess),
-        Nose::Insert(r) => insert(part, r, x, (cos, sin), guess[0]),
-    };
-    found.ok_or_else(|| TurningError::NoTouch { x, degrees: libm::atan2(sin, cos).to_degrees(), most: 0.0 })
+    touching(part, nose, x, (cos, sin), guess).ok_or_else(|| TurningError::NoTouch {
+        x,
+        degrees: libm::atan2(sin, cos).to_degrees(),
+        most: round_down(largest(part, nose, x, (cos, sin))),
+    })
+}
+
+/// The same; `None` where no contact is found.
+pub(super) fn touching(
+    part: &Placed,
+    nose: Nose,
+    x: f64,
+    direction: (f64, f64),
+    guess: Offset,
+) -> Option<Location> {
+    match nose {
+        Nose::Ball(r) => ball(part, r, x, direction, guess),
+        Nose::Insert(r) => insert(part, r, x, direction, guess[0]),
+    }
+}
+
+/// The largest radius of a nose of this kind, up to its own, that touches there, mm.
+fn largest(part: &Placed, nose: Nose, x: f64, direction: (f64, f64)) -> f64 {
+    let [mut low, mut high] = [0.0, nose.radius()];
+    for _ in 0..LOOKS {
+        let middle = 0.5 * (low + high);
+        let there = touching(part, nose.with_radius(middle), x, direction, [0.0; 2]).is_some();
+        *(if there { &mut low } else { &mut high }) = middle;
+    }
+    low
 }
 
 /// How far the centre of a nose is above a place of it that lies `aside` of it. At the contact this is `r/w`, and since no place lets the

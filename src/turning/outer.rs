@@ -1,7 +1,7 @@
 //! How far out the nose must go, and how far in.
 
 use super::aperture::{Aperture, highest_around};
-use super::locate::locate;
+use super::locate::touching;
 use super::placed::Placed;
 use crate::toolpath::Nose;
 
@@ -21,8 +21,8 @@ pub fn innermost(part: &Placed, aperture: &Aperture, nose: Nose) -> f64 {
     let mut guess = [0.0; 2];
     for i in 0..DIRECTIONS {
         let (sin, cos) = libm::sincos(std::f64::consts::TAU * i as f64 / DIRECTIONS as f64);
-        let found = locate(part, nose, 0.0, (cos, sin), guess);
-        let [x, y] = found.as_ref().map_or([0.0; 2], |at| at.touch);
+        let found = touching(part, nose, 0.0, (cos, sin), guess);
+        let [x, y] = found.map_or([0.0; 2], |at| at.touch);
         if aperture.contains(x, y) {
             return 0.0;
         }

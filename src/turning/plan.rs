@@ -201,7 +201,7 @@ fn lay(
         }
         let [x, x1, x2] = guide.at(c);
         let (sin, cos) = libm::sincos(c);
-        let at = locate(&order.part, nose, x, (cos, sin), guess).map_err(|e| largest_nose(order, e, x, c))?;
+        let at = locate(&order.part, nose, x, (cos, sin), guess)?;
         guess = at.offset;
         let f = at.center;
         let z1 = f.r * x1 + f.t;
@@ -225,25 +225,6 @@ fn lay(
         laid.touches.push(at.touch);
     }
     Ok(laid)
-}
-
-/// Where the nose touches nowhere: says which would.
-fn largest_nose(order: &Order, error: TurningError, x: f64, c: f64) -> TurningError {
-    let nose = order.tool.nose();
-    let (sin, cos) = libm::sincos(c);
-    let [mut low, mut high] = [0.0, nose.radius()];
-    // Three digits are said.
-    for _ in 0..12 {
-        let middle = 0.5 * (low + high);
-        let there = locate(&order.part, nose.with_radius(middle), x, (cos, sin), [0.0; 2]).is_ok();
-        if there { low = middle } else { high = middle }
-    }
-    match error {
-        TurningError::NoTouch { x, degrees, .. } => {
-            TurningError::NoTouch { x, degrees, most: round_down(low) }
-        }
-        other => other,
-    }
 }
 
 fn check_chord(chord: &[Chord; 2], order: &Order, spacing: &Spacing) -> Result<(), TurningError> {

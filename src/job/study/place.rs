@@ -70,10 +70,7 @@ impl Subject {
     /// The machining potential on about `count` by `count` places: `u, v` of each, the direction of the widest strip as a step of
     /// the parameters as long as the strip is wide, and the widths of the widest and the narrowest strip (mm). Poles are left out.
     pub fn potential(&self, count: usize, stage: &Stage) -> Result<Vec<f32>, JobError> {
-        let grid = FaceGrid::new(&self.face, f64::INFINITY, count, count);
-        let rule = self.spec.strategy.rule()?.unwrap_or(Rule::Widest(Default::default()));
-        let (cutter, finish) = (self.spec.cutter.cutter()?, self.spec.finish()?);
-        let potential = Potential::new((&self.face, &grid), &cutter, &rule, &finish, stage)?;
+        let (grid, potential) = potential(&self.spec, &self.face, count, stage)?;
         let nu = grid.size().0;
         let row = |k: usize| {
             let uv: Uv = grid.uv(k % nu, k / nu);
@@ -83,4 +80,18 @@ impl Subject {
         };
         Ok((0..grid.points().len()).filter_map(row).flatten().map(|x| x as f32).collect())
     }
+}
+
+/// The potential of `face` at the nodes of a grid of about `count` by `count` cells, for the cutter and the rule of `spec`; for the widest
+/// strips where it has none.
+pub(super) fn potential(
+    spec: &Spec,
+    face: &Face,
+    count: usize,
+    stage: &Stage,
+) -> Result<(FaceGrid, Potential), JobError> {
+    let grid = FaceGrid::new(face, f64::INFINITY, count, count);
+    let rule = spec.strategy.rule()?.unwrap_or(Rule::Widest(Default::default()));
+    let potential = Potential::new((face, &grid), &spec.cutter.cutter()?, &rule, &spec.finish()?, stage)?;
+    Ok((grid, potential))
 }

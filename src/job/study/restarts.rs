@@ -6,11 +6,11 @@
 //! Source: H. Liu and M. Liu, Tool path planning for high speed milling of sculpture surface with toroidal cutter, 2013, eqs. (10) to
 //! (12) and Fig. 5; with a guard of the length, without which (12) favours stubs.
 
+use super::place::potential;
 use crate::geometry::{Face, FaceGrid, Uv};
 use crate::job::error::JobError;
 use crate::job::{Shape, Spec};
 use crate::monitor::Stage;
-use crate::posture::Rule;
 use crate::strategy::Potential;
 use glam::DVec3;
 use serde::Serialize;
@@ -61,10 +61,8 @@ pub struct Restarts {
 /// `threshold` (0 to 1). `None` for a mesh.
 pub fn restarts(spec: &Spec, threshold: f64, stage: &Stage) -> Result<Option<Restarts>, JobError> {
     let (Shape::Face(face), _) = spec.source.shape(None)? else { return Ok(None) };
-    let grid = FaceGrid::new(&face, f64::INFINITY, CELLS, CELLS);
-    let rule = spec.strategy.rule()?.unwrap_or(Rule::Widest(Default::default()));
     let part = stage.part("Measuring the potential", 0.0, 0.8);
-    let potential = Potential::new((&face, &grid), &spec.cutter.cutter()?, &rule, &spec.finish()?, &part)?;
+    let (grid, potential) = potential(spec, &face, CELLS, &part)?;
     let mut ground = Ground::new(&face, &grid, &potential);
     let mut families = Vec::new();
     while families.len() < MOST[0] && ground.left() > LEFT {
@@ -188,7 +186,7 @@ impl<'a> Ground<'a> {
     }
 
     /// The candidate with the widest mean strip among those that are not short: eq. (12) with a guard.
-    fn initial(&self) -> Option<Vec<Point>> {
+    fn initial(&self) -> Option<(StudiedPath, Vec<Point>)> {
         let domain = self.face.domain();
         let share = |k: usize| (k as f64 + 0.5) / TRIED as f64;
         let mut seeds: Vec<Uv> =
@@ -199,16 +197,12 @@ impl<'a> Ground<'a> {
                 self.places.iter().zip(&self.done).find(|(_, done)| !**done).map(|(place, _)| place.0),
             );
         }
-        let candidates: Vec<Vec<Point>> = seeds.into_iter().filter_map(|uv| self.traced(uv)).collect();
-        let longest = candidates.iter().map(|path| measured(path).length_mm).fold(0.0, f64::max);
-        let mut best: Option<(f64, Vec<Point>)> = None;
-        for path in candidates {
-            let StudiedPath { length_mm, average_mm, .. } = measured(&path);
-            if length_mm >= SHORTEST * longest && best.as_ref().is_none_or(|(most, _)| average_mm > *most) {
-                best = Some((average_mm, path));
-            }
-        }
-        best.map(|(_, path)| path)
+        let traced = seeds.into_iter().filter_map(|uv| self.traced(uv));
+        let candidates: Vec<_> = traced.map(|path| (measured(&path), path)).collect();
+        let longest = candidates.iter().map(|(path, _)| path.length_mm).fold(0.0, f64::max);
+        let long = candidates.into_iter().filter(|(path, _)| path.length_mm >= SHORTEST * longest);
+        // Of equals the first.
+        long.reduce(|best, next| if next.0.average_mm > best.0.average_mm { next } else { best })
     }
 
     /// Marks what the strip of `path` covers.
@@ -242,9 +236,9 @@ impl<'a> Ground<'a> {
         next
     }
 
-    fn family(&mut self, initial: Vec<Point>, threshold: f64) -> Family {
+    fn family(&mut self, (path, initial): (StudiedPath, Vec<Point>), threshold: f64) -> Family {
         self.cover(&initial);
-        let mut paths = vec![measured(&initial)];
+        let mut paths = vec![path];
         for sign in [1.0, -1.0] {
             let mut front = initial.clone();
             while paths.len() < MOST[1] {
