@@ -47,7 +47,8 @@ export function createComparing(state, { onError }) {
   async function runAll(draft, tell) {
     if (!planner) {
       const { createStudyPlanner } = await import('./study/planner.js');
-      planner = createStudyPlanner('comparison');
+      // Two may have waited for it.
+      planner ??= createStudyPlanner('comparison');
     }
     const { bytes } = draft.source;
     const floor = await planner.call('floor', [draft.spec, bytes], (_, fraction) =>

@@ -60,7 +60,11 @@ export function createPlanner(compile, spawn = spawnMilling) {
     module ??= compile();
     module.then(
       (compiled) => started.postMessage({ module: compiled }),
-      (error) => stop(new PlannerError({ code: 'compile', message: String(error.message ?? error) })),
+      (error) => {
+        // Whoever asks again after a broken line shall get it then.
+        module = null;
+        stop(new PlannerError({ code: 'compile', message: String(error.message ?? error) }));
+      },
     );
     worker = started;
     return started;

@@ -145,7 +145,8 @@ export function createSession(planner, state, { onProblem, onError, onProven }) 
     const asked = state.get().job;
     if (!second) {
       const { createStudyPlanner } = await import('./study/planner.js');
-      second = createStudyPlanner('strategies');
+      // Two may have waited for it.
+      second ??= createStudyPlanner('strategies');
     }
     // Somebody may have given up meanwhile.
     if (state.get().job !== asked) throw new Cancelled();
