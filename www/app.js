@@ -22,9 +22,10 @@ import { isInch, switchUnit } from './units.js';
 import { createAction } from './view/action.js';
 import { createStepoverChart } from './view/chart-stepover.js';
 import { createContact } from './view/contact.js';
-import { attribute, h, icon } from './view/dom.js';
+import { attribute, h, icon, place } from './view/dom.js';
 import { createDomain } from './view/domain.js';
 import { createDownloads } from './view/downloads.js';
+import { acceptDrops } from './view/drops.js';
 import { createKeys } from './view/keys.js';
 import { languageButton } from './view/language.js';
 import { createLegend } from './view/legend.js';
@@ -38,13 +39,6 @@ import { createShare } from './view/share.js';
 import { createSource } from './view/source.js';
 import { createTools } from './view/tools.js';
 import moduleAddress from './wasm/stepover_bg.wasm?url';
-
-/** @param {string} id */
-function place(id) {
-  const element = document.getElementById(id);
-  if (!element) throw new Error(`no element #${id}`);
-  return element;
-}
 
 const planner = createPlanner(() => compile(moduleAddress));
 const state = createState(render);
@@ -272,13 +266,13 @@ function load(draft) {
 
 async function showRecent() {
   const files = await recentFiles.all();
-  state.set({ recent: files.map(({ name, bytes }) => ({ name, size: bytes.length })) });
+  state.set({ recent: files.map(({ name, file }) => ({ name, size: file.size })) });
 }
 
 /** @param {string} name */
 async function openAgain(name) {
-  const found = (await recentFiles.all()).find((file) => file.name === name);
-  if (found) open([new File([/** @type {BlobPart} */ (found.bytes)], name)]);
+  const found = (await recentFiles.all()).find((kept) => kept.name === name);
+  if (found) open([new File([found.file], name)]);
 }
 
 /** @param {unknown} error */
@@ -334,26 +328,6 @@ function show(problem) {
   });
 }
 
-/** Dropping anywhere opens; leaving a child of the page is not leaving the page. */
-function acceptDrops() {
-  let depth = 0;
-  const carriesFiles = (/** @type {DragEvent} */ event) =>
-    event.dataTransfer?.types.includes('Files') ?? false;
-  const count = (/** @type {number} */ next) => {
-    depth = Math.max(next, 0);
-    if (state.get().dragging !== depth > 0) state.set({ dragging: depth > 0 });
-  };
-  addEventListener('dragenter', (event) => carriesFiles(event) && count(depth + 1));
-  addEventListener('dragleave', (event) => carriesFiles(event) && count(depth - 1));
-  addEventListener('dragover', (event) => event.preventDefault());
-  addEventListener('drop', (event) => {
-    event.preventDefault();
-    count(0);
-    const files = [...(event.dataTransfer?.files ?? [])];
-    if (files.length > 0) open(files);
-  });
-}
-
 /** What keys do, by their names; with Ctrl or ⌘ where that is part of the name. @type {Record<string, () => void>} */
 const SHORTCUTS = {
   'ctrl enter': () => session.plan(),
@@ -399,7 +373,7 @@ async function start() {
   attribute(place('views'), 'aria-label', t('canvas.views'));
   attribute(place('layers'), 'aria-label', t('canvas.layers'));
   place('drop').append(h('strong', {}, t('surface.drop')), h('span', {}, t('surface.drop.hint')));
-  acceptDrops();
+  acceptDrops({ onFiles: open, onDragging: (dragging) => state.set({ dragging }) });
   acceptKeys();
   // The picture's code is the largest part of the page: the planner is at work while it loads.
   const drawing = import('./view/canvas3d.js')

@@ -57,7 +57,7 @@ async function within(name, mode, act, store = STORE) {
 const MOST_FILES = 6;
 const MOST_BYTES = 96e6;
 
-/** @typedef {{ name: string, time: number, bytes: Uint8Array }} KeptFile */
+/** Kept as a blob: a list of them is read without what they hold. @typedef {{ name: string, time: number, file: Blob }} KeptFile */
 
 /** Files that were opened last, the newest first; without room or leave to store there are none. */
 export const recentFiles = {
@@ -75,11 +75,12 @@ export const recentFiles = {
   /** @param {string} name @param {Uint8Array} bytes */
   async keep(name, bytes) {
     try {
-      await within(DATABASE, 'readwrite', (store) => store.put({ name, time: Date.now(), bytes }), FILES);
+      const file = new Blob([/** @type {BlobPart} */ (bytes)]);
+      await within(DATABASE, 'readwrite', (store) => store.put({ name, time: Date.now(), file }), FILES);
       let together = 0;
-      for (const [k, file] of (await this.all()).entries()) {
-        together += file.bytes.length;
-        if (k > 0 && (k >= MOST_FILES || together > MOST_BYTES)) await this.forget(file.name);
+      for (const [k, kept] of (await this.all()).entries()) {
+        together += kept.file.size;
+        if (k > 0 && (k >= MOST_FILES || together > MOST_BYTES)) await this.forget(kept.name);
       }
     } catch {
       // The file is open all the same.

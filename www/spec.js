@@ -131,6 +131,25 @@ export function withFittingVariants(schema, draft) {
 }
 
 /**
+ * The first field whose value is wrong.
+ *
+ * @param {Schema} schema
+ * @param {any} spec
+ * @param {(field: Field, value: any) => string | null} [faultOf]
+ * @returns {Problem | null}
+ */
+export function firstFault(schema, spec, faultOf = fault) {
+  for (const group of schema.groups) {
+    for (const field of fieldsOf(group, spec)) {
+      const path = `${group.path}.${field.name}`;
+      const code = faultOf(field, read(spec, path));
+      if (code) return { code, message: '', field: path };
+    }
+  }
+  return null;
+}
+
+/**
  * The first field whose value is none or out of its range, as the planner would name it.
  *
  * @param {Schema} schema
@@ -138,13 +157,8 @@ export function withFittingVariants(schema, draft) {
  * @returns {Problem | null}
  */
 export function firstProblem(schema, draft) {
-  for (const group of schema.groups) {
-    for (const field of fieldsOf(group, draft.spec)) {
-      const path = `${group.path}.${field.name}`;
-      const code = fault(field, read(draft.spec, path));
-      if (code) return { code, message: '', field: path };
-    }
-  }
+  const wrong = firstFault(schema, draft.spec);
+  if (wrong) return wrong;
   const { info } = draft.source;
   if (info && info.unit === null && !draft.spec.source.unit) {
     return { code: 'unit', message: '', field: 'source.unit' };

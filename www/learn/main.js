@@ -5,7 +5,7 @@
 import { linked } from '../share/link.js';
 import { createStudyPlanner } from '../study/planner.js';
 import { t as page } from '../text/index.js';
-import { attribute, h } from '../view/dom.js';
+import { attribute, h, place } from '../view/dom.js';
 import { languageButton } from '../view/language.js';
 import { compared, createFamilies } from './figures/families.js';
 import { contactJob } from './figures/job.js';
@@ -19,13 +19,6 @@ import { formula } from './mathml.js';
 import { lessons, t } from './text.js';
 
 /** @typedef {(op: string, args: any[], onProgress?: (phase: string, fraction: number) => void) => Promise<any>} Ask */
-
-/** @param {string} id */
-function place(id) {
-  const element = document.getElementById(id);
-  if (!element) throw new Error(`no element #${id}`);
-  return element;
-}
 
 /** @type {ReturnType<typeof createStudyPlanner> | null} */
 let planner = null;

@@ -98,7 +98,7 @@ function choice(option) {
 }
 
 /** What is wrong with a value, in words; '' if nothing. @param {Field} field @param {any} value */
-export function faultText(field, value) {
+function faultText(field, value) {
   const code = fault(field, value);
   if (!code) return '';
   const bound = (/** @type {number | undefined} */ at) =>

@@ -2,12 +2,9 @@
  * What is chosen is kept in the browser: machine, settings, and a machine's own file.
  *
  * @import { Machine, State } from './types.js'
- * @import { Schema } from '../types.js'
  *
  * @typedef {{ chosen?: string, options?: any, own?: Machine }} Kept
  */
-import { read, write } from '../spec.js';
-
 const KEY = 'machine';
 /** The id of a machine from a file of its own. */
 export const OWN = 'own';
@@ -31,16 +28,4 @@ export function remember({ chosen, options, machines }) {
   } catch {
     // Where nothing may be stored it is chosen anew.
   }
-}
-
-/** The settings with the defaults of what they leave out. @param {Schema} schema @param {any} options */
-export function completed(schema, options) {
-  let all = options;
-  for (const group of schema.groups) {
-    for (const field of group.fields ?? []) {
-      const path = `${group.path}.${field.name}`;
-      if (read(all, path) === undefined) all = write(all, path, field.default);
-    }
-  }
-  return all;
 }

@@ -5,43 +5,37 @@
  * @import { State as PageState } from '../types.js'
  */
 import './machine.css';
+import { compile } from '../compiling.js';
 import { bytes } from '../format.js';
 import { Cancelled, createPlanner, PlannerError } from '../protocol.js';
-import { fieldsOf, read, write } from '../spec.js';
+import { completed, firstFault, write } from '../spec.js';
 import { h, say } from '../view/dom.js';
-import { save } from '../view/downloads.js';
+import { save } from '../view/saving.js';
+import { shareAt } from '../view/way.js';
 import moduleAddress from '../wasm/machines_bg.wasm?url';
 import { createDrawing } from './drawing.js';
 import { createFigures } from './figures.js';
-import { createForm, faultText } from './form.js';
-import { completed, OWN, recall, remember } from './keeping.js';
+import { createForm } from './form.js';
+import { OWN, recall, remember } from './keeping.js';
 import { createNotes } from './notes.js';
 import { createPlots } from './plots.js';
 import { createProblem } from './problem.js';
 import { createSaving } from './saving.js';
 import { t } from './text.js';
 
-/** Numbers a point of a path, the length so far being the last. */
-const STRIDE = 8;
+/** At the very end the whole path is shown, and the place is not. */
+const AT_END = 0.999999;
 /** A machine's file is a page of text. */
 const LARGEST_FILE = 1e6;
 /** Share of the progress that writing has; the rest is the proof's. */
 const WRITING = 0.4;
-async function compile() {
-  const response = await fetch(moduleAddress);
-  if (!response.ok) throw new Error(`${response.status} ${response.statusText}`);
-  // A host that does not know the type of WebAssembly is no reason to fail.
-  const known = response.headers.get('content-type')?.startsWith('application/wasm');
-  return known ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
-}
-
 /**
  * @param {{ panel: HTMLElement, drawing: HTMLElement }} roots
  * @param {{ onAt: (at: number) => void }} callbacks
  */
 export function createMachine({ panel, drawing }, { onAt }) {
   const planner = createPlanner(
-    compile,
+    () => compile(moduleAddress),
     () => new Worker(new URL('./machine-worker.js', import.meta.url), { type: 'module', name: 'machines' }),
   );
   const kept = recall();
@@ -232,22 +226,11 @@ export function createMachine({ panel, drawing }, { onAt }) {
     });
   }
 
-  /** What keeps the settings from being used, if anything does. */
-  function faulty() {
-    for (const group of state.schema?.groups ?? []) {
-      for (const field of fieldsOf(group, state.options)) {
-        const path = `${group.path}.${field.name}`;
-        if (faultText(field, read(state.options, path))) return path;
-      }
-    }
-    return null;
-  }
-
   /** Writes the program and proves it. */
   async function run() {
     const { outcome, planned, options } = state;
     if (!outcome?.files || !planned) return;
-    const wrong = faulty();
+    const wrong = state.schema && firstFault(state.schema, state.options)?.field;
     if (wrong) {
       document.getElementById(`machine-${wrong}`)?.closest('details')?.setAttribute('open', '');
       document.getElementById(`machine-${wrong}`)?.focus();
@@ -304,15 +287,12 @@ export function createMachine({ panel, drawing }, { onAt }) {
   function goTo(move) {
     const path = state.outcome?.path;
     if (!path) return;
-    const lengthAt = (/** @type {number} */ k) => path[STRIDE * k + STRIDE - 1];
-    const last = path.length / STRIDE - 1;
-    // At the very end the whole path is shown, and the place is not.
-    onAt(Math.min(lengthAt(Math.min(move, last)) / (lengthAt(last) || 1), 0.999999));
+    onAt(Math.min(shareAt(path, move), AT_END));
   }
 
   /** @param {number} seconds */
   async function goToSeconds(seconds) {
-    onAt(Math.min(await planner.call('share', [seconds]), 0.999999));
+    onAt(Math.min(await planner.call('share', [seconds]), AT_END));
   }
 
   function axes() {

@@ -68,13 +68,13 @@ export function createPlots(root, { onSeconds, ask }) {
     const known = band.filter((x) => !Number.isNaN(x));
     const [least, most] = known.reduce(
       ([a, b], x) => [Math.min(a, x), Math.max(b, x)],
-      [0, 0].fill(known[0] ?? 0),
+      [known[0] ?? 0, known[0] ?? 0],
     );
     const limits = speeds ? [-axis.speed, axis.speed] : axis.limits;
     const unit = speeds ? `${axis.unit}/s` : axis.unit;
     const told = (/** @type {number} */ x) => `${plain(Number(x.toFixed(speeds ? 1 : 2)))} ${unit}`;
     // The limits are drawn where they are near enough to be seen beside what the axis does.
-    const room = Math.max(0.15 * (most - least), unit.startsWith('°') ? 0.5 : 0.5);
+    const room = Math.max(0.15 * (most - least), 0.5);
     const near = (limits ?? []).filter(
       (x) => x > least - 1.5 * (most - least) - room && x < most + 1.5 * (most - least) + room,
     );

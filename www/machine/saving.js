@@ -5,7 +5,8 @@
  */
 import { bytes } from '../format.js';
 import { h, icon } from '../view/dom.js';
-import { save, stem } from '../view/downloads.js';
+import { stem } from '../view/downloads.js';
+import { save } from '../view/saving.js';
 import { t } from './text.js';
 
 /** @type {Record<string, string>} */

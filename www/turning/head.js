@@ -6,6 +6,7 @@
 
 import { count } from '../format.js';
 import { MOST } from '../share/link.js';
+import { toClipboard } from '../view/clipboard.js';
 import { attribute, h, icon, say } from '../view/dom.js';
 import { languageButton } from '../view/language.js';
 import { linked } from './link.js';
@@ -36,17 +37,9 @@ export function createHead(root, { onUndo, onRedo, onFiles }) {
   const link = h('textarea', { readonly: true, rows: 4, name: 'link', 'aria-label': t('share.link') });
   const about = h('p', { 'aria-live': 'polite' });
   const copy = h('button', { type: 'button', class: 'primary', name: 'copy' }, t('share.copy'));
-  copy.addEventListener('click', async () => {
-    link.select();
-    try {
-      await navigator.clipboard.writeText(link.value);
-    } catch {
-      // Without the permission the text is selected: the keys do it.
-      return;
-    }
-    say(copy, t('share.copied'));
-    setTimeout(() => say(copy, t('share.copy')), 2000);
-  });
+  copy.addEventListener('click', () =>
+    toClipboard(link, copy, { copy: t('share.copy'), copied: t('share.copied') }),
+  );
   const close = h(
     'button',
     { type: 'button', class: 'quiet', 'aria-label': t('action.close'), onclick: () => dialog.close() },

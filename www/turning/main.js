@@ -2,14 +2,16 @@
  * Wires the turning page: settings, plan, proof, picture, plots, the paper's comparisons, and what keeps the work.
  *
  * @import { State } from './types.js'
- * @import { Group, Problem } from '../types.js'
+ * @import { Field, Group, Problem } from '../types.js'
  */
+import { compile } from '../compiling.js';
 import { createKeeping } from '../keeping.js';
 import { keepOffline } from '../offline.js';
 import { Cancelled, createPlanner, PlannerError } from '../protocol.js';
 import { BadLink } from '../share/link.js';
-import { fault, fieldsOf, read, withVariant, write } from '../spec.js';
-import { attribute, h } from '../view/dom.js';
+import { fault, firstFault, withVariant, write } from '../spec.js';
+import { attribute, h, place } from '../view/dom.js';
+import { acceptDrops } from '../view/drops.js';
 import moduleAddress from '../wasm/turning_bg.wasm?url';
 import { createAction } from './action.js';
 import { createCompare, variants } from './compare.js';
@@ -17,30 +19,15 @@ import { createFigures } from './figures.js';
 import { createForm } from './form.js';
 import { createHead } from './head.js';
 import { isLink, opened } from './link.js';
-import { acceptDrops, createOpener } from './opening.js';
+import { createOpener } from './opening.js';
 import { createPicture } from './picture.js';
 import { createPlots } from './plots.js';
 import { createSaving } from './saving.js';
 import { createState } from './state.js';
 import { said, t } from './text.js';
 
-/** @param {string} id */
-function place(id) {
-  const element = document.getElementById(id);
-  if (!element) throw new Error(`no element #${id}`);
-  return element;
-}
-
-async function compile() {
-  const response = await fetch(moduleAddress);
-  if (!response.ok) throw new Error(`${response.status} ${response.statusText}`);
-  // A host that does not know the type of WebAssembly is no reason to fail.
-  const known = response.headers.get('content-type')?.startsWith('application/wasm');
-  return known ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
-}
-
 const planner = createPlanner(
-  compile,
+  () => compile(moduleAddress),
   () => new Worker(new URL('./worker.js', import.meta.url), { type: 'module', name: 'turning' }),
 );
 const state = createState(render);
@@ -138,24 +125,14 @@ async function guarded(work) {
   state.set({ job: null });
 }
 
-/** The first field whose value is none or out of its range. @returns {Problem | null} */
-function firstFault() {
-  const { schema, draft } = state.get();
-  for (const group of schema?.groups ?? []) {
-    for (const field of fieldsOf(group, draft)) {
-      const path = `${group.path}.${field.name}`;
-      const code = field.type === 'points' ? null : fault(field, read(draft, path));
-      if (code) return { code, message: '', field: path };
-    }
-  }
-  return null;
-}
-
 /** Of the progress bar, what planning has; the rest is the proof's. */
 const PLANNING = 0.35;
 
 function plan() {
-  const wrong = firstFault();
+  const { schema, draft } = state.get();
+  const faultOf = (/** @type {Field} */ field, /** @type {any} */ value) =>
+    field.type === 'points' ? null : fault(field, value);
+  const wrong = schema && firstFault(schema, draft, faultOf);
   if (wrong) return complain(wrong);
   planner.cancel();
   return guarded(async () => {

@@ -37,23 +37,3 @@ export function createOpener(planner, read, { onSpec, onComplaint, onError }) {
     }
   };
 }
-
-/** Dropping anywhere opens. @param {{ onFiles: (files: File[]) => void, onDragging: (is: boolean) => void }} callbacks */
-export function acceptDrops({ onFiles, onDragging }) {
-  let depth = 0;
-  const carriesFiles = (/** @type {DragEvent} */ event) =>
-    event.dataTransfer?.types.includes('Files') ?? false;
-  // Leaving a child of the page is not leaving the page.
-  const counted = (/** @type {number} */ next) => {
-    depth = Math.max(next, 0);
-    onDragging(depth > 0);
-  };
-  addEventListener('dragenter', (event) => carriesFiles(event) && counted(depth + 1));
-  addEventListener('dragleave', (event) => carriesFiles(event) && counted(depth - 1));
-  addEventListener('dragover', (event) => event.preventDefault());
-  addEventListener('drop', (event) => {
-    event.preventDefault();
-    counted(0);
-    onFiles([...(event.dataTransfer?.files ?? [])]);
-  });
-}

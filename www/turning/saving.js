@@ -5,6 +5,7 @@
  */
 import { bytes } from '../format.js';
 import { h, icon } from '../view/dom.js';
+import { save } from '../view/saving.js';
 import { t } from './text.js';
 
 /** @param {HTMLElement} root */
@@ -55,12 +56,4 @@ function button(id, blob, name) {
     h('span', {}, t(`save.${id}`)),
     h('small', {}, `${name.split('.').slice(1).join('.')}, ${bytes(blob.size)}`),
   );
-}
-
-/** @param {Blob} blob @param {string} name */
-function save(blob, name) {
-  const href = URL.createObjectURL(blob);
-  h('a', { href, download: name }).click();
-  // The browser has taken the blob by then.
-  setTimeout(() => URL.revokeObjectURL(href), 10_000);
 }

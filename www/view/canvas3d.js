@@ -219,7 +219,7 @@ export function createCanvas3d(root, { onFace, onAt, onPoint, onPick }) {
       zones.root.cubes.visible = layers.zones;
     }
     if (running && outcome) surface.repaint(running.removing.to(locate(outcome.path, state.at).point));
-    if (isNew || last?.runs !== painted.runs) overlays.set(runsOf(state).filter(({ isLaid }) => isLaid));
+    if (isNew || state.runs !== painted.runs) overlays.set(runsOf(state).filter(({ isLaid }) => isLaid));
   }
 
   /** @param {State} state */

@@ -46,6 +46,13 @@ function fill(element, attributes, children) {
   return element;
 }
 
+/** The element of the page with this id. @param {string} id */
+export function place(id) {
+  const element = document.getElementById(id);
+  if (!element) throw new Error(`no element #${id}`);
+  return element;
+}
+
 /** Sets or removes an attribute. @param {Element} element @param {string} name @param {string | null} value */
 export function attribute(element, name, value) {
   if (value === null) element.removeAttribute(name);

@@ -6,6 +6,7 @@
 import { bytes } from '../format.js';
 import { t } from '../text/index.js';
 import { h, icon } from './dom.js';
+import { save } from './saving.js';
 
 /** @typedef {{ id: string, ending: string, size: number, make: () => Blob }} Item */
 
@@ -97,7 +98,7 @@ export function createDownloads(root, { onDrawing, onPicture, onDomain, onSheet 
 }
 
 /** The job as a file. @param {Draft} draft */
-export function jobOf(draft) {
+function jobOf(draft) {
   return new Blob([`${JSON.stringify(draft.spec, null, 2)}\n`], { type: 'application/json' });
 }
 
@@ -141,12 +142,4 @@ function button({ id, ending, size, make }, draft) {
 export function stem(draft) {
   const name = draft.source.name || draft.spec.name || 'path';
   return name.replace(/\.[^.]*$/, '').replace(/[^\p{L}\p{N}_-]+/gu, '-') || 'path';
-}
-
-/** @param {Blob} blob @param {string} name */
-export function save(blob, name) {
-  const href = URL.createObjectURL(blob);
-  h('a', { href, download: name }).click();
-  // The browser has taken the blob by then.
-  setTimeout(() => URL.revokeObjectURL(href), 10_000);
 }

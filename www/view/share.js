@@ -6,11 +6,15 @@
 import { count, micron } from '../format.js';
 import { linked, MOST, WISHED } from '../share/link.js';
 import { t } from '../text/index.js';
+import { toClipboard } from './clipboard.js';
 import { attribute, h, icon, say } from './dom.js';
-import { projectOf, save, stem } from './downloads.js';
+import { projectOf, stem } from './downloads.js';
+import { save } from './saving.js';
 
 /** A course page shows the picture so. */
 const FRAME = 'width="800" height="520" style="border:0" loading="lazy"';
+
+const COPIED = { copy: t('share.copy'), copied: t('share.copied') };
 
 /**
  * @param {HTMLElement} root Where the button goes.
@@ -35,12 +39,12 @@ export function createShare(root, read) {
   const size = h('p', { class: 'help', 'aria-live': 'polite' });
   const copy = h(
     'button',
-    { type: 'button', class: 'primary', name: 'copy', onclick: () => toClipboard(link, copy) },
+    { type: 'button', class: 'primary', name: 'copy', onclick: () => toClipboard(link, copy, COPIED) },
     t('share.copy'),
   );
   const copyFrame = h(
     'button',
-    { type: 'button', name: 'copy-frame', onclick: () => toClipboard(frame, copyFrame) },
+    { type: 'button', name: 'copy-frame', onclick: () => toClipboard(frame, copyFrame, COPIED) },
     t('share.copy'),
   );
   const asFile = h(
@@ -122,17 +126,4 @@ export function createShare(root, read) {
     if (!draft) return;
     save(projectOf(draft), `${stem(draft)}.job.json`);
   }
-}
-
-/** @param {HTMLTextAreaElement} area @param {HTMLButtonElement} button */
-async function toClipboard(area, button) {
-  area.select();
-  try {
-    await navigator.clipboard.writeText(area.value);
-  } catch {
-    // Without the permission the text is selected: the keys do it.
-    return;
-  }
-  say(button, t('share.copied'));
-  setTimeout(() => say(button, t('share.copy')), 2000);
 }

@@ -4,7 +4,7 @@ import { t } from '../text/index.js';
 import { h } from './dom.js';
 
 /** The sides by name, each with the way out of it; z is up. @type {Record<string, [number, number, number]>} */
-export const SIDES = {
+const SIDES = {
   top: [0, 0, 1],
   bottom: [0, 0, -1],
   front: [0, -1, 0],
