@@ -10,8 +10,8 @@ use stepover::turning::{
 
 const BALL: Nose = Nose::Ball(15.0);
 
-/// Residues in µm at Δθ = 3°. Simulations on some thousand samples a millimetre apart read off −4.6 to +10.1 and −4.2 to +59, and on the
-/// exact path 3.2 and 54: between their samples there is more, up to what cusps and chords make together.
+/// Residues in µm at Δθ = 3°. Simulations at a few thousand places read off −4.6 to +10.1 and −4.2 to +59, and on the exact path
+/// 3.2 and 54: between their places there is more, up to what cusps and chords make together.
 #[test]
 fn residues_at_three_degrees() {
     for (step, linear, exact) in [(0.5, [-4.74, 11.88], 3.41), (2.0, [-4.74, 62.2], 53.53)] {
@@ -27,6 +27,36 @@ fn residues_at_three_degrees() {
         let [low, high] = extremes(&proof(&order, BALL, &planned(&order).path, 0.25));
         assert!(low > -0.01, "{low}");
         near(high, exact, 0.1);
+    }
+}
+
+/// What a simulation reads off hangs on its places: on some rays a few degrees apart it is what others have read, and on none is it
+/// more than there is. Residues in µm.
+#[test]
+fn coarse_rays_read_off_less_than_there_is() {
+    for (step, low, high) in [(0.5, -4.6, 10.1), (2.0, -4.2, 59.0)] {
+        let order = order(step, 3.0);
+        let found = proof(&order, BALL, &planned(&order).path, 0.25);
+        // Of 755 rays every 13th, some 6° apart; on each a place every 0.25 mm.
+        let read = |ray: usize| {
+            let places = found.residues[ray * found.rings..][..found.rings].iter();
+            places.filter(|h| h.is_finite()).fold([0.0_f64, 0.0], |[a, b], &h| {
+                let h = 1e3 * f64::from(h);
+                [a.min(h), b.max(h)]
+            })
+        };
+        let all: Vec<[f64; 2]> = (0..found.rays).map(read).collect();
+        let of = |first: usize| {
+            let some = all.iter().skip(first).step_by(13);
+            some.fold([0.0_f64, 0.0], |[a, b], r| [a.min(r[0]), b.max(r[1])])
+        };
+        let readings: Vec<[f64; 2]> = (0..13).map(of).collect();
+        assert!(
+            readings.iter().any(|r| (r[0] - low).abs() < 0.1 && (r[1] - high).abs() < 0.1),
+            "{readings:?}"
+        );
+        let [lowest, highest] = extremes(&found);
+        assert!(readings.iter().all(|r| r[0] >= lowest && r[1] <= highest));
     }
 }
 
