@@ -15,6 +15,7 @@ mod iso_planar;
 mod left;
 mod link;
 mod order;
+mod places;
 mod placing;
 #[cfg(feature = "flow")]
 mod potential;
@@ -23,6 +24,7 @@ mod raster;
 mod run_out;
 mod setup;
 mod spacing;
+mod trim;
 mod unreached;
 mod walk;
 

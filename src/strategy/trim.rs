@@ -1,0 +1,387 @@
+//! Passes cut back at their ends, as far as nothing is left where they were.
+//!
+//! How far a pass must run out over a border, or on beside one that ends, no formula for a single strip tells exactly: what lies
+//! at its end may be cut by its neighbours too. Here places all around the ends are asked which moves cut them, and what no place
+//! needs is taken away.
+
+use super::family::Family;
+use super::left::Moves;
+use super::places;
+use crate::geometry::Uv;
+use crate::math::bvh::{Aabb, Bvh};
+use crate::math::order::{rank, sort_by_key};
+use crate::monitor::{Cancelled, Stage};
+use crate::toolpath::{Pass, Station};
+use glam::DVec3;
+use std::ops::Range;
+
+/// How much of an end is looked at in a round, and how far from it places may need it, in strips.
+const WINDOW: f64 = 2.0;
+const AROUND: f64 = 1.0;
+/// Rounds: an end of which a whole window went is looked at again.
+const ROUNDS: usize = 12;
+/// How often passes are cut back anew, with places between the others that then showed to be left.
+const TRIES: usize = 4;
+/// Parts that a side of a cell of the family's grid has, and one that lies on a border: strips that lie aslant leave their
+/// smallest spots right there.
+const PARTS: [usize; 2] = [4, 24];
+/// The same in cells where more than so much of the limit is left.
+const FINE: [usize; 2] = [16, 64];
+const MUCH: f64 = 0.4;
+/// Parts of the piece of an edge between neighbouring probes: where strips meet cusps are highest.
+const EDGE: usize = 24;
+/// The share of the limit that is asked for at the places, so that those between them stay within it; where more was left before,
+/// the whole limit is.
+const SHARE: f64 = 0.9;
+/// What an end keeps beyond what the places need, in strips on flat ground.
+const SAFE: f64 = 0.03;
+/// Halvings of the last move that is needed.
+const HALVINGS: usize = 6;
+/// The widest strip that counts, in strips on flat ground.
+const WIDE: f64 = 4.0;
+/// Items in a leaf of a tree.
+const LEAF: usize = 8;
+
+/// An end of a pass.
+#[derive(Debug, Clone, Copy)]
+struct End {
+    pass: usize,
+    side: Side,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Side {
+    First,
+    Last,
+}
+
+/// A place on the face, its normal, and the share of the limit that may be left there.
+#[derive(Debug, Clone, Copy)]
+struct Place {
+    point: DVec3,
+    normal: DVec3,
+    share: f64,
+}
+
+/// `passes` cut back at their ends as far as no more than the limit is left for it; a pass that nothing needs is gone. Of the strips
+/// on the passes these are pieces of the `edges`.
+pub(super) fn trimmed(
+    family: &Family,
+    passes: &[Vec<Pass>],
+    edges: &[[Uv; 2]],
+    stage: &Stage,
+) -> Result<Vec<Vec<Pass>>, Cancelled> {
+    let mut trim = Trim::new(family, passes);
+    for k in 0..TRIES {
+        let part = |from: f64, to: f64| {
+            let at = |t: f64| (k as f64 + t) / TRIES as f64;
+            stage.part("Cutting passes back", at(from), at(to))
+        };
+        trim.cut_back_all(edges, &part(0.0, 0.8))?;
+        let lost = trim.lost(&part(0.8, 1.0))?;
+        if lost.is_empty() {
+            break;
+        }
+        trim.extra.extend(lost);
+    }
+    let mut runs = 0..trim.runs.len();
+    let kept = passes.iter().map(|track| {
+        let own = runs.by_ref().take(track.len());
+        own.filter_map(|pass| trim.pass(pass)).collect()
+    });
+    Ok(kept.collect())
+}
+
+struct Trim<'a> {
+    family: &'a Family<'a>,
+    moves: Moves<'a>,
+    /// What is left of each move.
+    left: Vec<Option<[Station; 2]>>,
+    /// The moves of each pass.
+    runs: Vec<Range<usize>>,
+    /// How far moves cut from where they touch, mm.
+    wide: f64,
+    /// The cells of the family's grid, and which of them lie near ends.
+    cells: Bvh,
+    is_near: Vec<bool>,
+    /// Places that are looked at beside the usual ones.
+    extra: Vec<Place>,
+}
+
+impl<'a> Trim<'a> {
+    fn new(family: &'a Family, passes: &[Vec<Pass>]) -> Self {
+        let moves = Moves::new(&family.setup, passes.iter().flatten());
+        let mut from = 0;
+        let runs = passes.iter().flatten().map(|pass| {
+            let to = from + pass.stations.len() - 1;
+            std::mem::replace(&mut from, to)..to
+        });
+        let runs = runs.collect();
+        let grid = family.lines.grid();
+        let across = grid.size().0 - 1;
+        let cell = |k: usize| {
+            let (i, j) = (k % across, k / across);
+            Aabb::around([(i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)].map(|(i, j)| grid.point(i, j)))
+        };
+        let cells: Vec<Aabb> = (0..across * (grid.size().1 - 1)).map(cell).collect();
+        let is_near = vec![false; cells.len()];
+        let cells = Bvh::new(&cells, LEAF);
+        let mut trim =
+            Self { family, moves, left: Vec::new(), runs, wide: 0.0, cells, is_near, extra: Vec::new() };
+        trim.wide = AROUND * trim.strip(&(0..trim.moves.all().len()));
+        trim
+    }
+
+    /// Cuts back all ends, from the passes as they were.
+    fn cut_back_all(&mut self, edges: &[[Uv; 2]], stage: &Stage) -> Result<(), Cancelled> {
+        self.left = self.moves.all().iter().copied().map(Some).collect();
+        let both = |pass| [Side::First, Side::Last].map(|side| End { pass, side });
+        let mut ends: Vec<End> = (0..self.runs.len()).flat_map(both).collect();
+        // What is short may go altogether.
+        sort_by_key(&mut ends, |end| (rank(self.length(end.pass)), end.pass as u32));
+        for round in 0..ROUNDS {
+            stage.at(round as f64 / ROUNDS as f64)?;
+            if ends.is_empty() {
+                break;
+            }
+            ends = self.round(&ends, edges, &stage.quiet())?;
+        }
+        Ok(())
+    }
+
+    /// The moves of a pass of which something is left.
+    fn run(&self, pass: usize) -> Range<usize> {
+        let mut run = self.runs[pass].clone();
+        while !run.is_empty() && self.left[run.start].is_none() {
+            run.start += 1;
+        }
+        while !run.is_empty() && self.left[run.end - 1].is_none() {
+            run.end -= 1;
+        }
+        run
+    }
+
+    /// Length of what is left of a pass, mm.
+    fn length(&self, pass: usize) -> f64 {
+        self.left[self.run(pass)].iter().flatten().map(way).sum()
+    }
+
+    /// What is left of a pass.
+    fn pass(&self, pass: usize) -> Option<Pass> {
+        let mut moves = self.left[self.run(pass)].iter().flatten().peekable();
+        let first = moves.peek()?[0];
+        Some(Pass { stations: std::iter::once(first).chain(moves.map(|[_, b]| *b)).collect() })
+    }
+
+    /// Cuts back each of `ends` within a window; those of which the whole window went, and something is left.
+    fn round(&mut self, ends: &[End], edges: &[[Uv; 2]], stage: &Stage) -> Result<Vec<End>, Cancelled> {
+        let windows: Vec<Range<usize>> = ends.iter().map(|end| self.window(end)).collect();
+        let near: Vec<Aabb> = windows.iter().map(|window| self.around(window)).collect();
+        let mut stays: Vec<bool> = self.left.iter().map(Option::is_some).collect();
+        windows.iter().for_each(|window| stays[window.clone()].fill(false));
+        let places = self.places(&near, edges);
+        // What something cuts that stays needs no end.
+        let open = |k: usize| {
+            let stays_cut = |place: &Place| self.cut(place, |k| stays[k]);
+            let [low, whole] = [places[k], Place { share: 1.0, ..places[k] }];
+            if stays_cut(&low) {
+                None
+            } else if self.was_cut(&low) {
+                Some(low)
+            } else {
+                (!stays_cut(&whole)).then_some(whole)
+            }
+        };
+        let open: Vec<Place> = stage.map(places.len(), open)?.into_iter().flatten().collect();
+        let mut gone = Vec::new();
+        for ((end, window), near) in ends.iter().zip(windows).zip(&near) {
+            stage.at(0.0)?;
+            // The pass's other end may have gone farther than this one's window.
+            let run = self.run(end.pass);
+            let window = window.start.max(run.start)..window.end.min(run.end);
+            if window.is_empty() {
+                gone.extend((!run.is_empty()).then_some(*end));
+                continue;
+            }
+            let here: Vec<&Place> = open.iter().filter(|p| near.distance_squared(p.point) <= 0.0).collect();
+            let needed = stage.map(here.len(), |k| self.needed(end, &window, here[k]))?;
+            let last = needed.into_iter().flatten().reduce(|a, b| if b > a { b } else { a });
+            self.cut_back(end, window, last);
+            if last.is_none() && !self.run(end.pass).is_empty() {
+                gone.push(*end);
+            }
+        }
+        Ok(gone)
+    }
+
+    /// Whether what is left of the moves that are `asked` leaves no more at a place than may be.
+    fn cut(&self, place: &Place, asked: impl Fn(usize) -> bool) -> bool {
+        let part = |k: usize| self.left[k].as_ref().filter(|_| asked(k));
+        self.moves.cut((place.point, self.top(place)), self.wide, part)
+    }
+
+    /// The same of all moves as they were.
+    fn was_cut(&self, place: &Place) -> bool {
+        self.moves.cut((place.point, self.top(place)), self.wide, |k| self.moves.all().get(k))
+    }
+
+    fn top(&self, place: &Place) -> DVec3 {
+        place.point + place.normal * (place.share * self.family.setup.finish.scallop)
+    }
+
+    /// The moves at an end that are looked at.
+    fn window(&self, end: &End) -> Range<usize> {
+        let run = self.run(end.pass);
+        let mut window = match end.side {
+            Side::First => run.start..run.start,
+            Side::Last => run.end..run.end,
+        };
+        let mut open = WINDOW * self.strip(&run);
+        while open > 0.0 && window.len() < run.len() {
+            let next = match end.side {
+                Side::First => {
+                    window.end += 1;
+                    window.end - 1
+                }
+                Side::Last => {
+                    window.start -= 1;
+                    window.start
+                }
+            };
+            open -= self.left[next].as_ref().map_or(0.0, way);
+        }
+        window
+    }
+
+    /// The widest strip on some moves, mm.
+    fn strip(&self, moves: &Range<usize>) -> f64 {
+        let flat = self.family.setup.strip;
+        let strips = self.moves.all()[moves.clone()].iter().filter_map(|[a, _]| a.work.strip);
+        strips.fold(flat, f64::max).min(WIDE * flat)
+    }
+
+    /// A box around what some moves may cut.
+    fn around(&self, window: &Range<usize>) -> Aabb {
+        let moves = self.left[window.clone()].iter().flatten();
+        let tight = Aabb::around(moves.flatten().map(|station| station.cc.point));
+        let margin = DVec3::splat(AROUND * self.strip(window));
+        Aabb { lo: tight.lo - margin, hi: tight.hi + margin }
+    }
+
+    /// Places in the cells and on the edges that meet one of `boxes`, and the extra ones.
+    fn places(&mut self, boxes: &[Aabb], edges: &[[Uv; 2]]) -> Vec<Place> {
+        let mut is_near = vec![false; self.is_near.len()];
+        for near in boxes {
+            let mark = |at| is_near[self.cells.order()[at] as usize] = true;
+            self.cells.visit_places(|cell| cell.meets(near), mark);
+        }
+        let tree = Bvh::new(boxes, LEAF);
+        let face = self.family.setup.face;
+        let is_in_reach = |edge: &&[Uv; 2]| {
+            let around = Aabb::around(edge.map(|uv| face.surface.point(uv)));
+            let meets = |boxes: &Aabb| if boxes.meets(&around) { 1.0 } else { 0.0 };
+            let any = |at: Range<usize>, best| {
+                at.map(|at| meets(&boxes[tree.order()[at] as usize])).fold(best, f64::max)
+            };
+            tree.highest(0.0, |node| meets(&tree.boxes()[node]), any) > 0.0
+        };
+        let cells = (0..is_near.len()).filter(|&k| is_near[k]).flat_map(|k| self.in_cell(k, PARTS, SHARE));
+        let edges = edges.iter().filter(is_in_reach);
+        let edges = edges.flat_map(|&[a, b]| (0..EDGE).map(move |k| places::between(a, b, k, EDGE)));
+        let mut places: Vec<Place> = cells.chain(edges.filter_map(|uv| self.place(uv, SHARE))).collect();
+        places.extend(&self.extra);
+        self.is_near.iter_mut().zip(is_near).for_each(|(all, now)| *all |= now);
+        places
+    }
+
+    fn place(&self, uv: Uv, share: f64) -> Option<Place> {
+        self.family.setup.face.at(uv).map(|(jet, normal)| Place { point: jet.p, normal, share })
+    }
+
+    fn in_cell(&self, cell: usize, parts: [usize; 2], share: f64) -> impl Iterator<Item = Place> {
+        let across = self.family.lines.grid().size().0 - 1;
+        let places = self.family.places_in((cell % across, cell / across), parts);
+        places.into_iter().filter_map(move |uv| self.place(uv, share))
+    }
+
+    /// Places near ends that were cut before, and by what is left are not.
+    fn lost(&self, stage: &Stage) -> Result<Vec<Place>, Cancelled> {
+        let near: Vec<usize> = (0..self.is_near.len()).filter(|&k| self.is_near[k]).collect();
+        let lost_in = |k: usize| -> Vec<Place> {
+            if self.in_cell(near[k], PARTS, MUCH).all(|place| self.cut(&place, |_| true)) {
+                return Vec::new();
+            }
+            self.in_cell(near[k], FINE, 1.0).filter(|p| !self.cut(p, |_| true) && self.was_cut(p)).collect()
+        };
+        Ok(stage.map(near.len(), lost_in)?.into_iter().flatten().collect())
+    }
+
+    /// The last move of a window, counted from inside, that `place` needs, and the share of it; nothing if it is cut without, or by
+    /// nothing.
+    fn needed(&self, end: &End, window: &Range<usize>, place: &Place) -> Option<(usize, f64)> {
+        if self.cut(place, |k| !window.contains(&k)) {
+            return None;
+        }
+        let top = self.top(place);
+        let cuts =
+            |at: &usize| self.outward(end, window, *at).is_some_and(|part| self.moves.cuts(&part, top));
+        let at = (0..window.len()).find(cuts)?;
+        let [a, b] = self.outward(end, window, at)?;
+        let (mut short, mut enough) = (0.0, 1.0);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (short + enough);
+            let cuts = self.moves.cuts(&[a, between(&a, &b, middle)], top);
+            *(if cuts { &mut enough } else { &mut short }) = middle;
+        }
+        Some((at, enough))
+    }
+
+    /// What is left of the move of a window with the number `at`, counted from inside, as it leads outwards.
+    fn outward(&self, end: &End, window: &Range<usize>, at: usize) -> Option<[Station; 2]> {
+        match end.side {
+            Side::First => self.left[window.end - 1 - at].map(|[a, b]| [b, a]),
+            Side::Last => self.left[window.start + at],
+        }
+    }
+
+    /// Takes away what lies beyond the share of the move `last`, and a little more, of a window; all of it if nothing is needed.
+    fn cut_back(&mut self, end: &End, window: Range<usize>, last: Option<(usize, f64)>) {
+        let mut keep = 0;
+        let mut more = SAFE * self.family.setup.strip;
+        let (first, mut from) = last.unwrap_or((window.len(), 0.0));
+        for at in first..window.len() {
+            let Some([a, b]) = self.outward(end, &window, at) else { break };
+            keep = at + 1;
+            let length = way(&[a, b]);
+            if length * (1.0 - from) > more {
+                let station = between(&a, &b, from + more / length);
+                match end.side {
+                    Side::First => self.left[window.end - 1 - at] = Some([station, a]),
+                    Side::Last => self.left[window.start + at] = Some([a, station]),
+                }
+                break;
+            }
+            more -= length * (1.0 - from);
+            from = 0.0;
+        }
+        let beyond = match end.side {
+            Side::First => window.start..window.end - keep,
+            Side::Last => window.start + keep..window.end,
+        };
+        self.left[beyond].fill(None);
+    }
+}
+
+/// Way of the tip, mm.
+fn way([a, b]: &[Station; 2]) -> f64 {
+    a.cl.tip.distance(b.cl.tip)
+}
+
+/// The station a share of the straight move from `a` to `b` on.
+fn between(a: &Station, b: &Station, share: f64) -> Station {
+    let mut station = *b;
+    station.cl.tip = a.cl.tip.lerp(b.cl.tip, share);
+    station.cl.axis = a.cl.axis.lerp(b.cl.axis, share).normalize_or(a.cl.axis);
+    station.cc.point = a.cc.point.lerp(b.cc.point, share);
+    station
+}
