@@ -31,6 +31,6 @@ fn on_a_plane_passes_run_out_as_far_as_their_strips_lie_aslant() {
         let width = contacts.iter().find_map(|(_, (_, work))| work.strip).unwrap();
         let beyond = contacts.iter().map(|(p, _)| p.x.abs() - 12.0).fold(f64::NEG_INFINITY, f64::max);
         let aslant = 0.5 * width * libm::tan(yaw.to_radians().abs());
-        assert!((-0.2 * width..=aslant + 0.15 * width).contains(&beyond), "{yaw}: {beyond} of {width}");
+        assert!((-0.2 * width..=aslant + 0.2 * width).contains(&beyond), "{yaw}: {beyond} of {width}");
     }
 }

@@ -83,10 +83,13 @@ impl Family<'_> {
     pub(super) fn border(&self) -> Vec<[Uv; 2]> {
         let (nu, nv) = self.lines.grid().size();
         let cells = (0..nv - 1).flat_map(|j| (0..nu - 1).map(move |i| (i, j)));
-        let sides = cells.flat_map(|cell| self.sides(cell));
-        sides
-            .flat_map(|[a, b]| (0..ALONG).map(move |k| [k, k + 1].map(|k| between(a, b, k, ALONG))))
-            .collect()
+        cells.flat_map(|cell| self.pieces_of_border(cell, ALONG)).collect()
+    }
+
+    /// The ends of so many `parts` of each side of the cell `(i, j)` of the grid that lies on a border of the face.
+    fn pieces_of_border(&self, cell: (usize, usize), parts: usize) -> impl Iterator<Item = [Uv; 2]> {
+        let ends = move |a: Uv, b: Uv, k: usize| [k, k + 1].map(|k| between(a, b, k, parts));
+        self.sides(cell).flat_map(move |[a, b]| (0..parts).map(move |k| ends(a, b, k)))
     }
 
     /// The sides of the cell `(i, j)` of the grid that lie on borders of the face.
@@ -110,6 +113,21 @@ impl Family<'_> {
         let inside = Patch::cell(self.lines.grid(), i, j).places(parts);
         let sides = self.sides((i, j)).flat_map(|[a, b]| (0..=border).map(move |k| between(a, b, k, border)));
         inside.chain(sides).collect()
+    }
+
+    /// Places so many `times` closer together than those, about each of them that `is_picked`.
+    pub(super) fn places_about(
+        &self,
+        cell: (usize, usize),
+        [parts, border]: [usize; 2],
+        times: usize,
+        is_picked: impl Fn(Uv) -> bool,
+    ) -> Vec<Uv> {
+        let parts = Patch::cell(self.lines.grid(), cell.0, cell.1).parts(parts);
+        let inside = parts.filter(|part| is_picked(part.middle())).flat_map(|part| part.places(times));
+        let pieces = self.pieces_of_border(cell, border).filter(|ends| ends.iter().any(|uv| is_picked(*uv)));
+        let beside = pieces.flat_map(|[a, b]| (0..=times).map(move |k| between(a, b, k, times)));
+        inside.chain(beside).collect()
     }
 }
 

@@ -15,26 +15,23 @@ use crate::toolpath::{Pass, Station};
 use glam::DVec3;
 use std::ops::Range;
 
+mod give_back;
+
 /// How much of an end is looked at in a round, and how far from it places may need it, in strips.
 const WINDOW: f64 = 2.0;
 const AROUND: f64 = 1.0;
 /// Rounds: an end of which a whole window went is looked at again.
 const ROUNDS: usize = 12;
-/// How often passes are cut back anew, with places between the others that then showed to be left.
-const TRIES: usize = 4;
 /// Parts that a side of a cell of the family's grid has, and one that lies on a border: strips that lie aslant leave their
 /// smallest spots right there.
 const PARTS: [usize; 2] = [4, 24];
-/// The same in cells where more than so much of the limit is left.
-const FINE: [usize; 2] = [16, 64];
-const MUCH: f64 = 0.4;
 /// Parts of the piece of an edge between neighbouring probes: where strips meet cusps are highest.
 const EDGE: usize = 24;
 /// The share of the limit that is asked for at the places, so that those between them stay within it; where more was left before,
 /// the whole limit is.
 const SHARE: f64 = 0.9;
 /// What an end keeps beyond what the places need, in strips on flat ground.
-const SAFE: f64 = 0.03;
+const SAFE: f64 = 0.12;
 /// Halvings of the last move that is needed.
 const HALVINGS: usize = 6;
 /// The widest strip that counts, in strips on flat ground.
@@ -63,6 +60,13 @@ struct Place {
     share: f64,
 }
 
+/// A place that nothing but moves at ends cuts.
+struct Open {
+    place: Place,
+    /// The numbers of those moves.
+    cutters: Vec<usize>,
+}
+
 /// `passes` cut back at their ends as far as no more than the limit is left for it; a pass that nothing needs is gone. Of the strips
 /// on the passes these are pieces of the `edges`.
 pub(super) fn trimmed(
@@ -71,19 +75,11 @@ pub(super) fn trimmed(
     edges: &[[Uv; 2]],
     stage: &Stage,
 ) -> Result<Vec<Vec<Pass>>, Cancelled> {
+    let part = |from, to| stage.part("Cutting passes back", from, to);
     let mut trim = Trim::new(family, passes);
-    for k in 0..TRIES {
-        let part = |from: f64, to: f64| {
-            let at = |t: f64| (k as f64 + t) / TRIES as f64;
-            stage.part("Cutting passes back", at(from), at(to))
-        };
-        trim.cut_back_all(edges, &part(0.0, 0.8))?;
-        let lost = trim.lost(&part(0.8, 1.0))?;
-        if lost.is_empty() {
-            break;
-        }
-        trim.extra.extend(lost);
-    }
+    trim.cut_back_all(edges, &part(0.0, 0.7))?;
+    let lost = trim.lost(&part(0.7, 1.0))?;
+    trim.give_back(&lost, &part(1.0, 1.0))?;
     let mut runs = 0..trim.runs.len();
     let kept = passes.iter().map(|track| {
         let own = runs.by_ref().take(track.len());
@@ -101,11 +97,8 @@ struct Trim<'a> {
     runs: Vec<Range<usize>>,
     /// How far moves cut from where they touch, mm.
     wide: f64,
-    /// The cells of the family's grid, and which of them lie near ends.
+    /// The cells of the family's grid.
     cells: Bvh,
-    is_near: Vec<bool>,
-    /// Places that are looked at beside the usual ones.
-    extra: Vec<Place>,
 }
 
 impl<'a> Trim<'a> {
@@ -124,17 +117,14 @@ impl<'a> Trim<'a> {
             Aabb::around([(i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)].map(|(i, j)| grid.point(i, j)))
         };
         let cells: Vec<Aabb> = (0..across * (grid.size().1 - 1)).map(cell).collect();
-        let is_near = vec![false; cells.len()];
-        let cells = Bvh::new(&cells, LEAF);
-        let mut trim =
-            Self { family, moves, left: Vec::new(), runs, wide: 0.0, cells, is_near, extra: Vec::new() };
+        let left = moves.all().iter().copied().map(Some).collect();
+        let mut trim = Self { family, moves, left, runs, wide: 0.0, cells: Bvh::new(&cells, LEAF) };
         trim.wide = AROUND * trim.strip(&(0..trim.moves.all().len()));
         trim
     }
 
-    /// Cuts back all ends, from the passes as they were.
+    /// Cuts back all ends.
     fn cut_back_all(&mut self, edges: &[[Uv; 2]], stage: &Stage) -> Result<(), Cancelled> {
-        self.left = self.moves.all().iter().copied().map(Some).collect();
         let both = |pass| [Side::First, Side::Last].map(|side| End { pass, side });
         let mut ends: Vec<End> = (0..self.runs.len()).flat_map(both).collect();
         // What is short may go altogether.
@@ -180,21 +170,11 @@ impl<'a> Trim<'a> {
         let mut stays: Vec<bool> = self.left.iter().map(Option::is_some).collect();
         windows.iter().for_each(|window| stays[window.clone()].fill(false));
         let places = self.places(&near, edges);
-        // What something cuts that stays needs no end.
-        let open = |k: usize| {
-            let stays_cut = |place: &Place| self.cut(place, |k| stays[k]);
-            let [low, whole] = [places[k], Place { share: 1.0, ..places[k] }];
-            if stays_cut(&low) {
-                None
-            } else if self.was_cut(&low) {
-                Some(low)
-            } else {
-                (!stays_cut(&whole)).then_some(whole)
-            }
-        };
-        let open: Vec<Place> = stage.map(places.len(), open)?.into_iter().flatten().collect();
+        let open = stage.map(places.len(), |k| self.open(places[k], &stays))?;
+        let open: Vec<Open> = open.into_iter().flatten().collect();
+        let of_ends = self.sorted_by_end(&open, ends, &windows);
         let mut gone = Vec::new();
-        for ((end, window), near) in ends.iter().zip(windows).zip(&near) {
+        for ((end, window), mine) in ends.iter().zip(windows).zip(of_ends) {
             stage.at(0.0)?;
             // The pass's other end may have gone farther than this one's window.
             let run = self.run(end.pass);
@@ -203,8 +183,7 @@ impl<'a> Trim<'a> {
                 gone.extend((!run.is_empty()).then_some(*end));
                 continue;
             }
-            let here: Vec<&Place> = open.iter().filter(|p| near.distance_squared(p.point) <= 0.0).collect();
-            let needed = stage.map(here.len(), |k| self.needed(end, &window, here[k]))?;
+            let needed = stage.map(mine.len(), |k| self.needed(end, &window, &open[mine[k]]))?;
             let last = needed.into_iter().flatten().reduce(|a, b| if b > a { b } else { a });
             self.cut_back(end, window, last);
             if last.is_none() && !self.run(end.pass).is_empty() {
@@ -214,15 +193,54 @@ impl<'a> Trim<'a> {
         Ok(gone)
     }
 
-    /// Whether what is left of the moves that are `asked` leaves no more at a place than may be.
-    fn cut(&self, place: &Place, asked: impl Fn(usize) -> bool) -> bool {
-        let part = |k: usize| self.left[k].as_ref().filter(|_| asked(k));
-        self.moves.cut((place.point, self.top(place)), self.wide, part)
+    /// `place` with the moves that cut it, if none of those does that stay; with the whole limit where none cuts lower.
+    fn open(&self, place: Place, stays: &[bool]) -> Option<Open> {
+        for share in [place.share, 1.0] {
+            let (place, mut cutters) = (Place { share, ..place }, Vec::new());
+            let stays_cut = self.moves.find(
+                (place.point, self.top(&place)),
+                self.wide,
+                |k| self.left[k].as_ref(),
+                |k| {
+                    cutters.push(k);
+                    stays[k]
+                },
+            );
+            if stays_cut {
+                return None;
+            }
+            if !cutters.is_empty() {
+                return Some(Open { place, cutters });
+            }
+        }
+        None
     }
 
-    /// The same of all moves as they were.
-    fn was_cut(&self, place: &Place) -> bool {
-        self.moves.cut((place.point, self.top(place)), self.wide, |k| self.moves.all().get(k))
+    /// For each of `ends` the numbers of the places that moves in its window cut.
+    fn sorted_by_end(&self, open: &[Open], ends: &[End], windows: &[Range<usize>]) -> Vec<Vec<usize>> {
+        // A move may lie at both ends of a short pass.
+        let mut holders = [Side::First, Side::Last].map(|side| (side, vec![None; self.left.len()]));
+        for (side, holder) in &mut holders {
+            for (i, _) in ends.iter().enumerate().filter(|(_, end)| end.side == *side) {
+                holder[windows[i].clone()].fill(Some(i));
+            }
+        }
+        let mut sorted = vec![Vec::new(); ends.len()];
+        for (place, open) in open.iter().enumerate() {
+            for &k in &open.cutters {
+                for end in holders.iter().filter_map(|(_, holder)| holder[k]) {
+                    if sorted[end].last() != Some(&place) {
+                        sorted[end].push(place);
+                    }
+                }
+            }
+        }
+        sorted
+    }
+
+    /// Whether what is left of the moves leaves no more at a place than may be.
+    fn cut(&self, place: &Place) -> bool {
+        self.moves.cut((place.point, self.top(place)), self.wide, |k| self.left[k].as_ref())
     }
 
     fn top(&self, place: &Place) -> DVec3 {
@@ -268,13 +286,8 @@ impl<'a> Trim<'a> {
         Aabb { lo: tight.lo - margin, hi: tight.hi + margin }
     }
 
-    /// Places in the cells and on the edges that meet one of `boxes`, and the extra ones.
-    fn places(&mut self, boxes: &[Aabb], edges: &[[Uv; 2]]) -> Vec<Place> {
-        let mut is_near = vec![false; self.is_near.len()];
-        for near in boxes {
-            let mark = |at| is_near[self.cells.order()[at] as usize] = true;
-            self.cells.visit_places(|cell| cell.meets(near), mark);
-        }
+    /// Places in the cells and on the edges that meet one of `boxes`.
+    fn places(&self, boxes: &[Aabb], edges: &[[Uv; 2]]) -> Vec<Place> {
         let tree = Bvh::new(boxes, LEAF);
         let face = self.family.setup.face;
         let is_in_reach = |edge: &&[Uv; 2]| {
@@ -285,55 +298,54 @@ impl<'a> Trim<'a> {
             };
             tree.highest(0.0, |node| meets(&tree.boxes()[node]), any) > 0.0
         };
-        let cells = (0..is_near.len()).filter(|&k| is_near[k]).flat_map(|k| self.in_cell(k, PARTS, SHARE));
+        let inside = self.cells_near(boxes).into_iter().flat_map(|cell| self.family.places_in(cell, PARTS));
         let edges = edges.iter().filter(is_in_reach);
         let edges = edges.flat_map(|&[a, b]| (0..EDGE).map(move |k| places::between(a, b, k, EDGE)));
-        let mut places: Vec<Place> = cells.chain(edges.filter_map(|uv| self.place(uv, SHARE))).collect();
-        places.extend(&self.extra);
-        self.is_near.iter_mut().zip(is_near).for_each(|(all, now)| *all |= now);
-        places
+        inside.chain(edges).filter_map(|uv| self.place(uv, SHARE)).collect()
+    }
+
+    /// The cells that meet one of `boxes`.
+    fn cells_near(&self, boxes: &[Aabb]) -> Vec<(usize, usize)> {
+        let mut is_near = vec![false; self.cells.order().len()];
+        for near in boxes {
+            let mark = |at| is_near[self.cells.order()[at] as usize] = true;
+            self.cells.visit_places(|cell| cell.meets(near), mark);
+        }
+        let across = self.family.lines.grid().size().0 - 1;
+        (0..is_near.len()).filter(|&k| is_near[k]).map(|k| (k % across, k / across)).collect()
     }
 
     fn place(&self, uv: Uv, share: f64) -> Option<Place> {
         self.family.setup.face.at(uv).map(|(jet, normal)| Place { point: jet.p, normal, share })
     }
 
-    fn in_cell(&self, cell: usize, parts: [usize; 2], share: f64) -> impl Iterator<Item = Place> {
-        let across = self.family.lines.grid().size().0 - 1;
-        let places = self.family.places_in((cell % across, cell / across), parts);
-        places.into_iter().filter_map(move |uv| self.place(uv, share))
-    }
-
-    /// Places near ends that were cut before, and by what is left are not.
-    fn lost(&self, stage: &Stage) -> Result<Vec<Place>, Cancelled> {
-        let near: Vec<usize> = (0..self.is_near.len()).filter(|&k| self.is_near[k]).collect();
-        let lost_in = |k: usize| -> Vec<Place> {
-            if self.in_cell(near[k], PARTS, MUCH).all(|place| self.cut(&place, |_| true)) {
-                return Vec::new();
-            }
-            self.in_cell(near[k], FINE, 1.0).filter(|p| !self.cut(p, |_| true) && self.was_cut(p)).collect()
-        };
-        Ok(stage.map(near.len(), lost_in)?.into_iter().flatten().collect())
-    }
-
-    /// The last move of a window, counted from inside, that `place` needs, and the share of it; nothing if it is cut without, or by
-    /// nothing.
-    fn needed(&self, end: &End, window: &Range<usize>, place: &Place) -> Option<(usize, f64)> {
-        if self.cut(place, |k| !window.contains(&k)) {
+    /// The last move of a window, counted from inside, that a place needs, and the share of it; nothing if something else still cuts
+    /// it, or nothing does.
+    fn needed(&self, end: &End, window: &Range<usize>, open: &Open) -> Option<(usize, f64)> {
+        let (top, (mine, others)) =
+            (self.top(&open.place), open.cutters.iter().partition::<Vec<usize>, _>(|k| window.contains(k)));
+        let cuts = |part: &[Station; 2]| self.moves.cuts(part, top);
+        if others.iter().any(|&k| self.left[k].as_ref().is_some_and(cuts)) {
             return None;
         }
-        let top = self.top(place);
-        let cuts =
-            |at: &usize| self.outward(end, window, *at).is_some_and(|part| self.moves.cuts(&part, top));
-        let at = (0..window.len()).find(cuts)?;
-        let [a, b] = self.outward(end, window, at)?;
+        let place = |k: usize| match end.side {
+            Side::First => window.end - 1 - k,
+            Side::Last => k - window.start,
+        };
+        let mine = mine.into_iter().filter(|&k| self.left[k].as_ref().is_some_and(cuts));
+        let at = mine.map(place).min()?;
+        Some((at, self.enough(&self.outward(end, window, at)?, top)))
+    }
+
+    /// The share of a move, which cuts `top`, that is enough for it.
+    fn enough(&self, [a, b]: &[Station; 2], top: DVec3) -> f64 {
         let (mut short, mut enough) = (0.0, 1.0);
         for _ in 0..HALVINGS {
             let middle = 0.5 * (short + enough);
-            let cuts = self.moves.cuts(&[a, between(&a, &b, middle)], top);
+            let cuts = self.moves.cuts(&[*a, between(a, b, middle)], top);
             *(if cuts { &mut enough } else { &mut short }) = middle;
         }
-        Some((at, enough))
+        enough
     }
 
     /// What is left of the move of a window with the number `at`, counted from inside, as it leads outwards.
