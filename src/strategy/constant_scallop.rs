@@ -96,7 +96,7 @@ pub fn constant_scallop(
 }
 
 /// The passes, and whether they leave nothing; none where they come out longer than `most` (mm).
-fn offset_passes(
+pub(super) fn offset_passes(
     (face, cutter): (&Face, &Cutter),
     (from, level, column): &(Field, f64, Field),
     rule: &Rule,
