@@ -6,7 +6,7 @@ use super::probe::{Probe, Reach, Setup};
 use super::spacing::{Front, Toward};
 use super::{Finish, Order, Planned, StrategyError};
 use super::{places, trim, unreached, walk};
-use crate::cutter::Cutter;
+use crate::cutter::Tool;
 use crate::geometry::{Domain, Face, FaceGrid, Field, FieldGrid, IsoLine, Range, Uv, Zone};
 use crate::math::order::{rank, sort_by_key};
 use crate::monitor::{Cancelled, Stage};
@@ -59,17 +59,17 @@ impl Laid {
 }
 
 impl<'a> Family<'a> {
-    /// The level lines of `field` on `face`, for a cutter that leans by `rule`.
+    /// The level lines of `field` on `face`, for a tool that leans by `rule`.
     pub(super) fn new(
         face: &'a Face,
-        cutter: &'a Cutter,
+        tool: &'a Tool,
         rule: &Rule,
         finish: Finish,
         (field, column): (Field, Field),
         order: Order,
         stage: &Stage,
     ) -> Result<Self, Cancelled> {
-        let setup = Setup::new(face, cutter, rule, finish, (field, column), order, stage)?;
+        let setup = Setup::new(face, tool, rule, finish, (field, column), order, stage)?;
         Ok(Self::of_setup(setup, order))
     }
 
@@ -119,22 +119,22 @@ impl<'a> Family<'a> {
         changed
     }
 
-    /// The passes along the level lines of `field` on `face`, for a cutter that leans by `rule`.
+    /// The passes along the level lines of `field` on `face`, for a tool that leans by `rule`.
     pub(super) fn of_rule(
         face: &'a Face,
-        cutter: &'a Cutter,
+        tool: &'a Tool,
         rule: &Rule,
         finish: Finish,
         fields: (Field, Field),
         order: Order,
         stage: &Stage,
     ) -> Result<Planned, StrategyError> {
-        Ok(Self::shortest((face, cutter), rule, finish, fields, order, stage)?.planned)
+        Ok(Self::shortest((face, tool), rule, finish, fields, order, stage)?.planned)
     }
 
     /// The passes along the level lines of `fields`, by whichever of the [`Rule::versions`] makes them shortest.
     pub(super) fn shortest(
-        part: (&'a Face, &'a Cutter),
+        part: (&'a Face, &'a Tool),
         rule: &Rule,
         finish: Finish,
         fields: (Field, Field),
@@ -146,7 +146,7 @@ impl<'a> Family<'a> {
 
     /// Those passes where they are better than `best`: shorter, or they leave nothing and those do; else `best`.
     pub(super) fn improved(
-        (face, cutter): (&'a Face, &'a Cutter),
+        (face, tool): (&'a Face, &'a Tool),
         rule: &Rule,
         finish: Finish,
         fields: (Field, Field),
@@ -162,7 +162,7 @@ impl<'a> Family<'a> {
                 stage.part(name, at(a), at(b))
             };
             let first = part("Choosing postures", 0.0, choosing);
-            let family = Self::new(face, cutter, &rule, finish, fields.clone(), order, &first)?;
+            let family = Self::new(face, tool, &rule, finish, fields.clone(), order, &first)?;
             let placed = family.place(&part("Spacing passes", choosing, 0.6))?;
             let tracks = fill::tracks(&family, placed, &part(FILL, 0.6, 0.7))?;
             // Passes run out beyond their lines, and hardly any is cut back to less: where these are longer already, nothing more is

@@ -15,7 +15,7 @@ use super::iso_planar::mean_normal;
 use super::placing::too_many;
 use super::potential::Potential;
 use super::{Finish, Order, Planned, StrategyError};
-use crate::cutter::Cutter;
+use crate::cutter::Tool;
 use crate::geometry::{Face, FaceGrid, Field, Table};
 use crate::math::frame::Frame;
 use crate::math::order::{rank, sort_by_key};
@@ -53,13 +53,14 @@ struct Proposal {
 /// Passes of `face` along the widest strips, the axis leaning by `rule`.
 pub fn flow(
     face: &Face,
-    cutter: &Cutter,
+    tool: &Tool,
     rule: Rule,
     finish: Finish,
     order: Order,
     stage: &Stage,
 ) -> Result<Planned, StrategyError> {
     let looking = stage.part("Comparing directions", 0.0, 0.1);
+    let cutter = &tool.cutter;
     let flat = Potential::flat(cutter, &rule, &finish);
     let grid = FaceGrid::new(face, CELL * flat, CELLS[0], CELLS[1]);
     let potential = Potential::new((face, &grid), cutter, &rule, &finish, &looking)?;
@@ -81,14 +82,14 @@ pub fn flow(
     };
     let mut best = None;
     for (k, Proposal { fields, .. }) in proposals.iter().enumerate() {
-        best = Family::improved((face, cutter), &rule, finish, fields.clone(), order, best, &part(k))?;
+        best = Family::improved((face, tool), &rule, finish, fields.clone(), order, best, &part(k))?;
     }
     let mut best = best.ok_or_else(too_many)?;
     for (k, &Beginning { proposal, level, .. }) in begun.iter().enumerate() {
         let (field, column) = proposals[proposal].fields.clone();
         let (seed, part) = ((field, level, column), part(proposals.len() + k));
         let most = best.planned.length();
-        let offset = offset_passes((face, cutter), &seed, &best.rule, finish, order, most, &part)?;
+        let offset = offset_passes((face, tool), &seed, &best.rule, finish, order, most, &part)?;
         let offset = offset.map(|(planned, is_whole)| Laid { planned, is_whole, rule: best.rule });
         best = offset.filter(|offset| offset.is_better(&best)).unwrap_or(best);
     }
