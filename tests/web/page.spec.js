@@ -65,7 +65,7 @@ const FILES = [
       ['cutter.corner_radius_mm', 1.5],
       ['cutter.diameter_mm', 6],
       ['strategy.lead_deg', 15],
-      ['tolerance.scallop_mm', 0.02],
+      ['tolerance.scallop_mm', 0.04],
     ],
   },
   {
@@ -85,7 +85,7 @@ const FILES = [
     settings: [
       ['cutter.kind', 'ball'],
       ['cutter.diameter_mm', 6],
-      ['tolerance.scallop_mm', 0.1],
+      ['tolerance.scallop_mm', 0.2],
       // Most of this mesh lies under its top, where samples cost time and prove nothing.
       ['verify.spacing_mm', 2],
     ],
