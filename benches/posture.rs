@@ -37,6 +37,7 @@ fn measure(bencher: Bencher<'_, '_>, rule: Rule) {
         face: &face,
         obstacle: &obstacle,
         cutter: &cutter,
+        holder: None,
         feed: &feed,
         scallop: 0.01,
         gouge: 0.0005,

@@ -99,7 +99,7 @@ fn closed_faces_are_cut_from_their_borders_and_from_lines_along_them() {
 fn where_widths_differ_paths_are_shorter_than_iso_parametric_ones() {
     // At the inside of a ring strips are narrower than at the outside.
     let [even, iso] = analytic(RING, "u_line", "v").map(|job| length(&planned(&job).1));
-    assert!(even < 0.8 * iso, "{even} {iso}");
+    assert!(even < 0.9 * iso, "{even} {iso}");
 }
 
 /// Each with how long it may be beside the iso-parametric path along the same parameter.

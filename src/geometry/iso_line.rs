@@ -169,7 +169,7 @@ impl FieldGrid {
     fn place(&self, level: f64, (i, j, along): Crossing) -> Uv {
         let (i2, j2) = if along == 0 { (i + 1, j) } else { (i, j + 1) };
         let (a, b) = (self.grid.uv(i, j), self.grid.uv(i2, j2));
-        let at = |t: f64| Uv::new(a.u + (b.u - a.u) * t, a.v + (b.v - a.v) * t);
+        let at = |t: f64| a.lerp(b, t);
         let miss = |t: f64| self.field.value(at(t), self.face.surface.point(at(t))) - level;
         let ends = ((0.0, self.value(i, j) - level), (1.0, self.value(i2, j2) - level));
         at(root::bracketed(miss, ends.0, ends.1, 1e-12, 60).x)

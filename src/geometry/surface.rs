@@ -17,6 +17,12 @@ impl Uv {
     pub fn new(u: f64, v: f64) -> Self {
         Self { u, v }
     }
+
+    /// The parameters a share `t` of the way to `other`; seams are not looked for.
+    #[must_use]
+    pub fn lerp(self, other: Self, t: f64) -> Self {
+        Self { u: self.u + (other.u - self.u) * t, v: self.v + (other.v - self.v) * t }
+    }
 }
 
 /// The interval of one parameter.

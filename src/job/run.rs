@@ -7,7 +7,7 @@ use super::report::{Lengths, Report, Unreachable, Verified, minutes};
 use super::shape::Shape;
 use super::spec::{AlongSpec, OrderSpec, Spec, StrategySpec, VERSION};
 use crate::contact::{DropMesh, FaceObstacle, Underside, is_in_mesh};
-use crate::cutter::{Cutter, Holder};
+use crate::cutter::{Cutter, Holder, Tool};
 use crate::geometry::{Along, Face, TriMesh, Zone};
 use crate::monitor::Stage;
 use crate::post::{self, Program};
@@ -59,7 +59,7 @@ pub fn plan(spec: &Spec, bytes: Option<&[u8]>, stage: &Stage) -> Result<Plan, Jo
     }
     stage.part("Reading the shape", 0.0, 0.02).at(0.0)?;
     let cutter = spec.cutter.cutter()?;
-    let tool = Tool { cutter: &cutter, holder: spec.holder(&cutter)? };
+    let tool = Tool { cutter, holder: spec.holder(&cutter)? };
     let (shape, mut warnings) = spec.source.shape(bytes)?;
     let planning = stage.part("Planning", 0.02, 0.95);
     let (planned, linked) = match &shape {
@@ -84,6 +84,10 @@ pub fn plan(spec: &Spec, bytes: Option<&[u8]>, stage: &Stage) -> Result<Plan, Jo
                 "in any posture within the limits; one of the same shape would have to be of at most {:.2} mm diameter",
                 share * cutter.diameter
             ),
+            None if tool.holder.is_some() => {
+                "in this posture with this holder; a smaller cutter, more stick-out or another lead may"
+                    .into()
+            }
             None => "in this posture; a smaller cutter or another lead may".into(),
         };
         warnings.push(format!("the cutter cannot reach {:.2} mm² {may}", planned.unreached.area()));
@@ -175,12 +179,6 @@ impl Plan {
     }
 }
 
-/// What stands in the spindle.
-struct Tool<'a> {
-    cutter: &'a Cutter,
-    holder: Option<Holder>,
-}
-
 fn on_face(
     spec: &Spec,
     face: &Face,
@@ -198,19 +196,19 @@ fn on_face(
                 AlongSpec::U => Along::U,
                 AlongSpec::V => Along::V,
             };
-            strategy::iso_parametric(face, cutter, along, rule, finish, order.into(), &passing)?
+            strategy::iso_parametric(face, tool, along, rule, finish, order.into(), &passing)?
         }
         &StrategySpec::IsoPlanar { angle_deg, order, .. } => {
             let angle = angle_deg.to_radians();
-            strategy::iso_planar(face, cutter, angle, rule, finish, order.into(), &passing)?
+            strategy::iso_planar(face, tool, angle, rule, finish, order.into(), &passing)?
         }
         StrategySpec::ConstantScallop { start, start_percent, start_points_mm, angle_deg, order, .. } => {
             let start = start.start(*start_percent, *angle_deg, start_points_mm);
-            strategy::constant_scallop(face, cutter, &start, rule, finish, (*order).into(), &passing)?
+            strategy::constant_scallop(face, tool, &start, rule, finish, (*order).into(), &passing)?
         }
         #[cfg(feature = "flow")]
         StrategySpec::Flow { order, .. } => {
-            strategy::flow(face, cutter, rule, finish, (*order).into(), &passing)?
+            strategy::flow(face, tool, rule, finish, (*order).into(), &passing)?
         }
         #[cfg(feature = "flow")]
         StrategySpec::Auto { .. } => {
@@ -226,11 +224,13 @@ fn on_face(
     let order = spec.strategy.order();
     let mut passes = ordered(planned.passes, order, false);
     let obstacle = FaceObstacle::for_cutter(face, cutter);
-    let held = holder.as_ref().map(Holder::solid);
     // Each larger by `more`, to either side of it.
-    let clears = |cl: &ClPoint, more: f64| face_clears(&obstacle, cutter, more, cl, 0.0);
+    let clears = |cl: &ClPoint, more: f64| {
+        let stout = Cutter { corner_radius: cutter.corner_radius + more, ..*cutter };
+        obstacle.clears(&stout, cl)
+    };
     let holder_clears =
-        |cl: &ClPoint, more: f64| held.is_none_or(|(solid, up)| face_clears(&obstacle, &solid, more, cl, up));
+        |cl: &ClPoint, more: f64| holder.is_none_or(|holder| obstacle.clears_holder(&holder, cl, more));
     let joining = Joining {
         how: spec.linking(cutter, holder.as_ref()),
         outline: Outline::new(cutter, holder.as_ref()),
@@ -310,14 +310,7 @@ fn on_mesh(
     Ok((Planned { passes, unreached, unseen, largest_fit: None }, linked))
 }
 
-/// Whether a solid, larger by `more` and `up` mm above the tip, clears a face. Asked in many places, and large where it is inlined.
-#[inline(never)]
-fn face_clears(obstacle: &FaceObstacle, solid: &Cutter, more: f64, cl: &ClPoint, up: f64) -> bool {
-    let stout = Cutter { corner_radius: solid.corner_radius + more, ..*solid };
-    obstacle.clears(&stout, &ClPoint { tip: cl.tip + up * cl.axis, axis: cl.axis })
-}
-
-/// Whether what is under an upright cutter, `up` mm above its tip, clears a mesh. Likewise.
+/// Whether what is under an upright cutter, `up` mm above its tip, clears a mesh. Asked in many places, and large where it is inlined.
 #[inline(never)]
 fn mesh_clears(mesh: &DropMesh, under: &Underside, cl: &ClPoint, up: f64) -> bool {
     !is_in_mesh(mesh, under, cl.tip + DVec3::Z * up)

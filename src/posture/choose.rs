@@ -10,7 +10,7 @@ use super::lift::lift;
 use super::yaw::yaws;
 use super::{Limits, PostureField, Rule};
 use crate::contact::FaceObstacle;
-use crate::cutter::Cutter;
+use crate::cutter::{Cutter, Holder};
 use crate::geometry::{Face, FaceGrid, Jet, Uv};
 use crate::math::frame::Frame;
 use crate::monitor::{Cancelled, Stage};
@@ -24,6 +24,8 @@ pub struct Ground<'a> {
     pub obstacle: &'a FaceObstacle,
     /// The cutter.
     pub cutter: &'a Cutter,
+    /// What holds it.
+    pub holder: Option<Holder>,
     /// Jet and contact frame at a place, for feed the one way or reversed; nothing where the feed has no direction.
     pub feed: &'a (dyn Fn(Uv, bool) -> Option<(Jet, Frame)> + Sync),
     /// Height of the cusps, mm.
@@ -49,7 +51,7 @@ const MOST_SWING: f64 = 0.3;
 ///
 /// They are chosen for all of the face at once, at nodes a tenth of the cutter's diameter apart. First the yaws that make the
 /// passes shortest, smoothly over the face; then for these the least leads at which curvatures match, the bottom's rear, the
-/// side and the shank clear the whole face, and axes turn no faster than the limits ask. Less lead is a wider strip, and no
+/// side, the shank and the holder clear the whole face, and axes turn no faster than the limits ask. Less lead is a wider strip, and no
 /// other leads that keep the limits are lower anywhere.
 ///
 /// The same for any number of workers.

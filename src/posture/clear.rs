@@ -101,7 +101,7 @@ pub(super) fn half_width(ground: &Ground, node: &Node, posture: Posture, lift: f
 }
 
 /// Whether `cutter` in `posture` at `node` reaches into the face nowhere: not beside its contact, nor with the rear of its
-/// bottom or its side, which goes on upwards as the shank.
+/// bottom or its side, which goes on upwards as the shank; nor does what holds it.
 pub(super) fn is_clear(ground: &Ground, cutter: &Cutter, node: &Node, posture: Posture) -> bool {
     let Some(contact) = &node.contact else { return false };
     let allowed = -SHARE * ground.gouge;
@@ -110,6 +110,7 @@ pub(super) fn is_clear(ground: &Ground, cutter: &Cutter, node: &Node, posture: P
     let cl = cl_of(cutter, &CcPoint { point, frame: contact.frame, posture });
     ground.obstacle.depth(cutter, &cl, node.point, allowed) >= allowed
         && ground.obstacle.depth_beside(cutter, &cl, node.uv, &contact.frame) >= allowed
+        && ground.holder.is_none_or(|holder| ground.obstacle.clears_holder(&holder, &cl, 0.0))
 }
 
 /// The least lead within the limits at which curvatures match with this yaw and the `cutter` does not dig in beside its

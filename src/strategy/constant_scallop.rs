@@ -17,7 +17,7 @@ use super::iso_planar::mean_normal;
 use super::placing::too_many;
 use super::probe::Setup;
 use super::{Finish, Order, Planned, StrategyError};
-use crate::cutter::Cutter;
+use crate::cutter::Tool;
 use crate::geometry::{Along, Face, Field};
 use crate::math::frame::Frame;
 use crate::monitor::Stage;
@@ -72,7 +72,7 @@ const ROUNDS: usize = 4;
 /// the level lines that the start curve is one of come out shorter, or the others leave something, it is those.
 pub fn constant_scallop(
     face: &Face,
-    cutter: &Cutter,
+    tool: &Tool,
     start: &Start,
     rule: Rule,
     finish: Finish,
@@ -80,24 +80,24 @@ pub fn constant_scallop(
     stage: &Stage,
 ) -> Result<Planned, StrategyError> {
     let posture = if let Rule::Fixed(posture) = rule { posture } else { Posture { lead: CHOSEN, yaw: 0.0 } };
-    let seed = seed(face, start, flat_strip(cutter, posture, &finish))?;
+    let seed = seed(face, start, flat_strip(&tool.cutter, posture, &finish))?;
     // The level lines of a distance are what is offset already, and a curve that was given is to be the first pass.
     if matches!((start, rule), (Start::Curve(_), Rule::Fixed(_))) {
-        let even = offset_passes((face, cutter), &seed, &rule, finish, order, f64::INFINITY, stage)?;
+        let even = offset_passes((face, tool), &seed, &rule, finish, order, f64::INFINITY, stage)?;
         return even.map(|(even, _)| even).ok_or_else(too_many);
     }
     let (from, _, column) = seed.clone();
     let plain = stage.part(PLACE, 0.0, 0.2);
-    let plain = Family::shortest((face, cutter), &rule, finish, (from, column), order, &plain)?;
+    let plain = Family::shortest((face, tool), &rule, finish, (from, column), order, &plain)?;
     let (rest, most) = (stage.part(SOLVE, 0.2, 1.0), plain.planned.length());
-    let even = offset_passes((face, cutter), &seed, &plain.rule, finish, order, most, &rest)?;
+    let even = offset_passes((face, tool), &seed, &plain.rule, finish, order, most, &rest)?;
     let even = even.map(|(planned, is_whole)| Laid { planned, is_whole, ..plain });
     Ok(even.filter(|even| even.is_better(&plain)).unwrap_or(plain).planned)
 }
 
 /// The passes, and whether they leave nothing; none where they come out longer than `most` (mm).
-fn offset_passes(
-    (face, cutter): (&Face, &Cutter),
+pub(super) fn offset_passes(
+    (face, tool): (&Face, &Tool),
     (from, level, column): &(Field, f64, Field),
     rule: &Rule,
     finish: Finish,
@@ -107,7 +107,7 @@ fn offset_passes(
 ) -> Result<Option<(Planned, bool)>, StrategyError> {
     let finish = finish.with_fine_chords();
     let fields = (from.clone(), column.clone());
-    let mut setup = Setup::new(face, cutter, rule, finish, fields, order, &stage.part(TILT, 0.0, 0.05))?;
+    let mut setup = Setup::new(face, tool, rule, finish, fields, order, &stage.part(TILT, 0.0, 0.05))?;
     let offset = Offset::new(&setup, from, *level);
     let first = offset.solve(&setup, &stage.part(SOLVE, 0.05, 0.1))?;
     setup = Setup { field: Field::Given(Arc::new(first)), ..setup };

@@ -1,13 +1,12 @@
 //! Passes along the level lines of a field, each as far from the last as its strips allow.
 
 use super::fill;
-use super::glean;
 use super::placing::too_many;
 use super::probe::{Probe, Reach, Setup};
 use super::spacing::{Front, Toward};
 use super::{Finish, Order, Planned, StrategyError};
-use super::{unreached, walk};
-use crate::cutter::Cutter;
+use super::{places, trim, unreached, walk};
+use crate::cutter::Tool;
 use crate::geometry::{Domain, Face, FaceGrid, Field, FieldGrid, IsoLine, Range, Uv, Zone};
 use crate::math::order::{rank, sort_by_key};
 use crate::monitor::{Cancelled, Stage};
@@ -15,7 +14,11 @@ use crate::posture::Rule;
 use crate::toolpath::Pass;
 
 /// Rounds in which short passes are added where something is left.
-const GLEANINGS: usize = 4;
+const GLEANINGS: usize = 6;
+/// Places looked at between the edges of the strips at neighbouring probes.
+const RIDGE: usize = 4;
+/// What a person reads meanwhile.
+const FILL: &str = "Filling gaps";
 
 /// A family of level lines and the strips on them.
 pub(super) struct Family<'a> {
@@ -56,17 +59,17 @@ impl Laid {
 }
 
 impl<'a> Family<'a> {
-    /// The level lines of `field` on `face`, for a cutter that leans by `rule`.
+    /// The level lines of `field` on `face`, for a tool that leans by `rule`.
     pub(super) fn new(
         face: &'a Face,
-        cutter: &'a Cutter,
+        tool: &'a Tool,
         rule: &Rule,
         finish: Finish,
         (field, column): (Field, Field),
         order: Order,
         stage: &Stage,
     ) -> Result<Self, Cancelled> {
-        let setup = Setup::new(face, cutter, rule, finish, (field, column), order, stage)?;
+        let setup = Setup::new(face, tool, rule, finish, (field, column), order, stage)?;
         Ok(Self::of_setup(setup, order))
     }
 
@@ -116,22 +119,22 @@ impl<'a> Family<'a> {
         changed
     }
 
-    /// The passes along the level lines of `field` on `face`, for a cutter that leans by `rule`.
+    /// The passes along the level lines of `field` on `face`, for a tool that leans by `rule`.
     pub(super) fn of_rule(
         face: &'a Face,
-        cutter: &'a Cutter,
+        tool: &'a Tool,
         rule: &Rule,
         finish: Finish,
         fields: (Field, Field),
         order: Order,
         stage: &Stage,
     ) -> Result<Planned, StrategyError> {
-        Ok(Self::shortest((face, cutter), rule, finish, fields, order, stage)?.planned)
+        Ok(Self::shortest((face, tool), rule, finish, fields, order, stage)?.planned)
     }
 
     /// The passes along the level lines of `fields`, by whichever of the [`Rule::versions`] makes them shortest.
     pub(super) fn shortest(
-        part: (&'a Face, &'a Cutter),
+        part: (&'a Face, &'a Tool),
         rule: &Rule,
         finish: Finish,
         fields: (Field, Field),
@@ -143,7 +146,7 @@ impl<'a> Family<'a> {
 
     /// Those passes where they are better than `best`: shorter, or they leave nothing and those do; else `best`.
     pub(super) fn improved(
-        (face, cutter): (&'a Face, &'a Cutter),
+        (face, tool): (&'a Face, &'a Tool),
         rule: &Rule,
         finish: Finish,
         fields: (Field, Field),
@@ -159,10 +162,11 @@ impl<'a> Family<'a> {
                 stage.part(name, at(a), at(b))
             };
             let first = part("Choosing postures", 0.0, choosing);
-            let family = Self::new(face, cutter, &rule, finish, fields.clone(), order, &first)?;
+            let family = Self::new(face, tool, &rule, finish, fields.clone(), order, &first)?;
             let placed = family.place(&part("Spacing passes", choosing, 0.6))?;
-            let tracks = fill::tracks(&family, placed, &part("Filling gaps", 0.6, 0.7))?;
-            // Passes run out beyond their lines: where these are longer already, nothing more is asked.
+            let tracks = fill::tracks(&family, placed, &part(FILL, 0.6, 0.7))?;
+            // Passes run out beyond their lines, and hardly any is cut back to less: where these are longer already, nothing more is
+            // asked.
             let length = family.length(&tracks);
             if best.as_ref().is_some_and(|best| best.is_whole && length >= best.planned.length()) {
                 continue;
@@ -197,18 +201,28 @@ impl<'a> Family<'a> {
         }
         let unreached =
             unreached::zone(&self.setup, &tracks, &stage.part("Mapping what is unreachable", 0.5, 0.65))?;
-        let ridges = glean::ridges(&tracks);
-        let mut is_whole = false;
+        let edges = places::edges(&tracks);
+        let ridges: Vec<Uv> = edges
+            .iter()
+            .flat_map(|&[a, b]| (0..RIDGE).map(move |k| places::between(a, b, k, RIDGE)))
+            .collect();
+        let (mut is_whole, mut is_trimmed) = (false, false);
         for round in 0..=GLEANINGS {
             let at = |t: f64| 0.65 + 0.35 * (round as f64 + t) / (GLEANINGS + 1) as f64;
-            let looking = stage.part("Filling gaps", at(0.0), at(0.8));
-            let left = self.left(passes.iter().flatten(), (others, &ridges), &unreached, &looking)?;
+            let part = |name, from, to| stage.part(name, at(from), at(to));
+            let left =
+                self.left(passes.iter().flatten(), (others, &ridges), &unreached, &part(FILL, 0.0, 0.4))?;
             is_whole = left.is_empty();
-            if is_whole || round == GLEANINGS {
+            if round == GLEANINGS || (is_whole && is_trimmed) {
                 break;
             }
-            let short = self.short_lines(left, round, &stage.part("Filling gaps", at(0.8), at(0.9)))?;
-            passes.extend(self.walk(&short, &stage.part("Following the surface", at(0.9), at(1.0)))?);
+            if is_whole {
+                passes = trim::trimmed(self, &passes, &edges, &part("Cutting passes back", 0.4, 1.0))?;
+                is_trimmed = true;
+                continue;
+            }
+            let short = self.short_lines(left, round, &part(FILL, 0.4, 0.8))?;
+            passes.extend(self.walk(&short, &part("Following the surface", 0.8, 1.0))?);
             tracks.extend(short);
         }
         let mut by_level: Vec<_> = tracks.iter().map(|track| track.level).zip(passes).collect();

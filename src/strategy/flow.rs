@@ -1,24 +1,28 @@
 //! Passes that follow the widest strips: along the level lines of whichever function of many makes them shortest.
 //!
 //! Lines of one parameter, parallel sections, and functions bent towards the directions of the widest strips are compared by how
-//! long their passes would be ([`super::coarea`]) before any is laid. The best few are laid, and the shortest is taken.
+//! long their passes would be ([`super::coarea`]) before any is laid. The best few are laid, and passes offset edge to edge from the best
+//! of their lines; and the shortest is taken.
 
 mod bend;
+mod edge_to_edge;
 mod line_field;
 
 use super::coarea::expected_length;
-use super::family::Family;
+use super::constant_scallop::offset_passes;
+use super::family::{Family, Laid};
 use super::iso_planar::mean_normal;
 use super::placing::too_many;
 use super::potential::Potential;
 use super::{Finish, Order, Planned, StrategyError};
-use crate::cutter::Cutter;
+use crate::cutter::Tool;
 use crate::geometry::{Face, FaceGrid, Field, Table};
 use crate::math::frame::Frame;
 use crate::math::order::{rank, sort_by_key};
 use crate::monitor::Stage;
 use crate::posture::Rule;
 use bend::{bent, columns};
+use edge_to_edge::{Beginning, beginnings};
 use glam::DVec3;
 use line_field::LineField;
 use std::f64::consts::PI;
@@ -35,6 +39,8 @@ const SOFT: [f64; 3] = [0.2, 1.0, 10.0];
 /// Where postures are fixed, a function whose passes should come out longer than the best by more than this share is not laid.
 /// Where they are chosen strips keep less to the surface's second order, and all are.
 const WORSE: f64 = 1.08;
+/// How many lines passes are offset from, edge to edge.
+const OFFSET: usize = 2;
 
 /// A function and how long passes along its level lines should be, mm.
 struct Proposal {
@@ -47,13 +53,14 @@ struct Proposal {
 /// Passes of `face` along the widest strips, the axis leaning by `rule`.
 pub fn flow(
     face: &Face,
-    cutter: &Cutter,
+    tool: &Tool,
     rule: Rule,
     finish: Finish,
     order: Order,
     stage: &Stage,
 ) -> Result<Planned, StrategyError> {
     let looking = stage.part("Comparing directions", 0.0, 0.1);
+    let cutter = &tool.cutter;
     let flat = Potential::flat(cutter, &rule, &finish);
     let grid = FaceGrid::new(face, CELL * flat, CELLS[0], CELLS[1]);
     let potential = Potential::new((face, &grid), cutter, &rule, &finish, &looking)?;
@@ -63,14 +70,30 @@ pub fn flow(
         let most = WORSE * best.expected;
         proposals.retain(|proposal| proposal.expected <= most);
     }
-    let mut best = None;
-    let count = proposals.len().max(1);
-    for (k, Proposal { fields, .. }) in proposals.into_iter().enumerate() {
+    let is_open = !face.domain().u.periodic && !face.domain().v.periodic;
+    let mut begun =
+        if is_open { beginnings(&proposals, (&grid, &face.domain()), &potential) } else { Vec::new() };
+    sort_by_key(&mut begun, |beginning| (rank(beginning.expected), 0));
+    begun.truncate(OFFSET);
+    let count = proposals.len() + begun.len();
+    let part = |k: usize| {
         let at = |t: f64| 0.1 + 0.9 * (k as f64 + t) / count as f64;
-        let part = stage.part("Spacing passes", at(0.0), at(1.0));
-        best = Family::improved((face, cutter), &rule, finish, fields, order, best, &part)?;
+        stage.part("Spacing passes", at(0.0), at(1.0))
+    };
+    let mut best = None;
+    for (k, Proposal { fields, .. }) in proposals.iter().enumerate() {
+        best = Family::improved((face, tool), &rule, finish, fields.clone(), order, best, &part(k))?;
     }
-    best.map(|laid| laid.planned).ok_or_else(too_many)
+    let mut best = best.ok_or_else(too_many)?;
+    for (k, &Beginning { proposal, level, .. }) in begun.iter().enumerate() {
+        let (field, column) = proposals[proposal].fields.clone();
+        let (seed, part) = ((field, level, column), part(proposals.len() + k));
+        let most = best.planned.length();
+        let offset = offset_passes((face, tool), &seed, &best.rule, finish, order, most, &part)?;
+        let offset = offset.map(|(planned, is_whole)| Laid { planned, is_whole, rule: best.rule });
+        best = offset.filter(|offset| offset.is_better(&best)).unwrap_or(best);
+    }
+    Ok(best.planned)
 }
 
 /// The functions worth laying: the best of each kind.

@@ -3,28 +3,19 @@
 
 use super::family::{Candidate, Family};
 use super::left::Moves;
-use super::probe::{Probe, Reach};
-use super::spacing::Toward;
+use super::places::between;
+use super::probe::Probe;
 use crate::geometry::{IsoLine, Uv, Zone};
 use crate::monitor::{Cancelled, Stage};
 use crate::toolpath::Pass;
 use glam::DVec3;
 
-/// Cells from a border that are looked at more closely, and how many parts a side of each then has.
-const RIM: usize = 3;
-const FINER: usize = 4;
-/// Parts that a side of a cell on a border has, and parts of such a part where an end of it has a cusp of this share of the
-/// limit: strips that lie aslant leave their smallest spots right there.
-const ALONG: usize = 24;
-const CLOSE: f64 = 0.6;
-const CLOSER: usize = 8;
+/// Where more than this share of the limit is left beside a border or on it, places lie closer together, so many times.
+const HIGH: f64 = 0.4;
+const CLOSER: [usize; 2] = [4, 8];
 /// The share of the limit that the very ridges of cusps may reach, which strips that meet edge to edge leave at the limit: 1.00
 /// of it, as far as that is written.
 const ON_RIDGE: f64 = 1.004;
-/// Places looked at between the edges of the strips at neighbouring probes.
-const RIDGE: usize = 4;
-/// Where normals across a cell have a lower cosine than this (11°), it bends much.
-const BENT: f64 = 0.98;
 /// Places nearer to each other than this belong together, in strips.
 const TOGETHER: f64 = 0.55;
 /// How far a short pass goes beyond what it is for, in strips.
@@ -51,12 +42,19 @@ impl Family<'_> {
     ) -> Result<Vec<Uv>, Cancelled> {
         let moves = Moves::new(&self.setup, passes);
         let limit = self.setup.finish.scallop;
+        let [plain, close] = self.patches();
+        let mut places: Vec<Uv> = plain.iter().chain(&close).map(|patch| patch.low).collect();
+        // Near what is high already more may be left between the places.
+        let is_high = stage.quiet().map(close.len(), |k| moves.leave(close[k].low, HIGH * limit))?;
+        let high = close.iter().zip(is_high).filter(|(_, is_high)| *is_high);
+        places.extend(high.flat_map(|(patch, _)| patch.places(CLOSER[0])));
         let border = self.border();
-        let is_close = |[a, b]: [Uv; 2]| moves.leave(a, CLOSE * limit) || moves.leave(b, CLOSE * limit);
-        let close = stage.quiet().map(border.len(), |k| is_close(border[k]))?;
-        let close = border.iter().zip(close).filter(|(_, close)| *close);
-        let mut places = [self.places(), others.to_vec()].concat();
-        places.extend(close.flat_map(|(&[a, b], _)| (0..=CLOSER).map(move |k| between(a, b, k, CLOSER))));
+        let is_high = |[a, b]: [Uv; 2]| moves.leave(a, HIGH * limit) || moves.leave(b, HIGH * limit);
+        let is_high = stage.quiet().map(border.len(), |k| is_high(border[k]))?;
+        let high = border.iter().zip(is_high).filter(|(_, is_high)| *is_high);
+        places
+            .extend(high.flat_map(|(&[a, b], _)| (0..=CLOSER[1]).map(move |k| between(a, b, k, CLOSER[1]))));
+        places.extend(others);
         // A posture that is chosen may need a little more lead just here, which its pass then takes.
         let is_chosen = !self.setup.postures.is_fixed();
         let is_left = |uv: Uv, limit: f64| {
@@ -86,56 +84,6 @@ impl Family<'_> {
             self.add_lines(&spot, PASSED * near, &mut found, stage)?;
         }
         Ok(found)
-    }
-
-    /// Places all over the face, half a strip apart, and closer beside its borders and where it bends much.
-    fn places(&self) -> Vec<Uv> {
-        let grid = self.lines.grid();
-        let ((nu, nv), domain) = (grid.size(), self.setup.face.domain());
-        let is_rim = |k: usize, count: usize, periodic: bool| !periodic && (k < RIM || k + 1 + RIM >= count);
-        let normals: Vec<Option<DVec3>> = (0..nu * nv)
-            .map(|k| self.setup.face.at(grid.uv(k % nu, k / nu)).map(|(_, normal)| normal))
-            .collect();
-        let is_bent = |i: usize, j: usize| {
-            let [a, b, c, d] = [(0, 0), (1, 1), (1, 0), (0, 1)].map(|(p, q)| normals[(j + q) * nu + i + p]);
-            let turns = |a: Option<DVec3>, b| a.zip(b).is_none_or(|(a, b): (DVec3, _)| a.dot(b) < BENT);
-            turns(a, b) || turns(c, d)
-        };
-        let mut places = Vec::new();
-        for j in 0..nv - 1 {
-            for i in 0..nu - 1 {
-                let rim = is_rim(i, nu, domain.u.periodic) || is_rim(j, nv, domain.v.periodic);
-                let parts = if rim || is_bent(i, j) { FINER } else { 1 };
-                let (low, high) = (grid.uv(i, j), grid.uv(i + 1, j + 1));
-                let at = |a: f64, b: f64, k: usize| a + (b - a) * k as f64 / parts as f64;
-                // Cells share their corners.
-                let side = if i + 2 == nu || j + 2 == nv { parts + 1 } else { parts };
-                places.extend(
-                    (0..side * side)
-                        .map(|k| Uv::new(at(low.u, high.u, k % side), at(low.v, high.v, k / side))),
-                );
-            }
-        }
-        places
-    }
-
-    /// Ends of short pieces of the borders of the face.
-    fn border(&self) -> Vec<[Uv; 2]> {
-        let (grid, domain) = (self.lines.grid(), self.setup.face.domain());
-        let (nu, nv) = grid.size();
-        let mut border = Vec::new();
-        let mut side = |a: Uv, b: Uv| {
-            border.extend((0..ALONG).map(|k| [k, k + 1].map(|k| between(a, b, k, ALONG))));
-        };
-        if !domain.v.periodic {
-            let ends = (0..nu - 1).flat_map(|i| [(i, 0), (i, nv - 1)]);
-            ends.for_each(|(i, j)| side(grid.uv(i, j), grid.uv(i + 1, j)));
-        }
-        if !domain.u.periodic {
-            let ends = (0..nv - 1).flat_map(|j| [(0, j), (nu - 1, j)]);
-            ends.for_each(|(i, j)| side(grid.uv(i, j), grid.uv(i, j + 1)));
-        }
-        border
     }
 
     /// The places in groups, with their points: those that are so near (mm) to one another hang together.
@@ -225,29 +173,4 @@ impl Family<'_> {
         }
         pieces
     }
-}
-
-/// Places along the edges of the strips on `tracks`, where cusps are highest, closer together than what was probed.
-pub(super) fn ridges(tracks: &[Candidate]) -> Vec<Uv> {
-    let edge = |probe: &Probe, toward| match probe.reach(toward) {
-        Some(Reach::To { uv, .. }) => Some(uv),
-        _ => None,
-    };
-    let mut ridges = Vec::new();
-    for probes in tracks.iter().flat_map(|track| &track.probes) {
-        for toward in [Toward::Higher, Toward::Lower] {
-            for w in probes.windows(2) {
-                if let (Some(a), Some(b)) = (edge(&w[0], toward), edge(&w[1], toward)) {
-                    ridges.extend((0..RIDGE).map(|k| between(a, b, k, RIDGE)));
-                }
-            }
-        }
-    }
-    ridges
-}
-
-/// The place `k` of `count` equal steps from `a` to `b`.
-fn between(a: Uv, b: Uv, k: usize, count: usize) -> Uv {
-    let s = k as f64 / count as f64;
-    Uv::new(a.u + (b.u - a.u) * s, a.v + (b.v - a.v) * s)
 }

@@ -2,7 +2,7 @@
 
 use super::family::Family;
 use super::{Finish, Order, Planned, StrategyError};
-use crate::cutter::Cutter;
+use crate::cutter::Tool;
 use crate::geometry::{Along, Face, Field};
 use crate::monitor::Stage;
 use crate::posture::Rule;
@@ -14,7 +14,7 @@ use crate::posture::Rule;
 /// worst point. On a periodic face the last pass meets the first.
 pub fn iso_parametric(
     face: &Face,
-    cutter: &Cutter,
+    tool: &Tool,
     along: Along,
     rule: Rule,
     finish: Finish,
@@ -25,5 +25,5 @@ pub fn iso_parametric(
         Along::U => (Field::V, Field::U),
         Along::V => (Field::U, Field::V),
     };
-    Family::of_rule(face, cutter, &rule, finish, fields, order, stage)
+    Family::of_rule(face, tool, &rule, finish, fields, order, stage)
 }

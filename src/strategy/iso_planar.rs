@@ -2,7 +2,7 @@
 
 use super::family::Family;
 use super::{Finish, Order, Planned, StrategyError};
-use crate::cutter::Cutter;
+use crate::cutter::Tool;
 use crate::geometry::{Face, FaceGrid, Field};
 use crate::math::frame::Frame;
 use crate::monitor::Stage;
@@ -16,7 +16,7 @@ use glam::DVec3;
 /// Each pass lies as far from the last as lets their strips meet everywhere.
 pub fn iso_planar(
     face: &Face,
-    cutter: &Cutter,
+    tool: &Tool,
     angle: f64,
     rule: Rule,
     finish: Finish,
@@ -28,7 +28,7 @@ pub fn iso_planar(
     let (s, c) = libm::sincos(angle);
     let along = flat.f * c + flat.b * s;
     let fields = (Field::Along(up.cross(along)), Field::Along(along));
-    Family::of_rule(face, cutter, &rule, finish, fields, order, stage)
+    Family::of_rule(face, tool, &rule, finish, fields, order, stage)
 }
 
 /// The unit mean of the face's normals, weighted by area; `+z` for a face that closes on itself and has none.

@@ -15,6 +15,7 @@ mod iso_planar;
 mod left;
 mod link;
 mod order;
+mod places;
 mod placing;
 #[cfg(feature = "flow")]
 mod potential;
@@ -24,6 +25,7 @@ mod run_out;
 mod setup;
 mod shorten;
 mod spacing;
+mod trim;
 mod unreached;
 mod walk;
 

@@ -2,7 +2,7 @@
 
 use super::Finish;
 use crate::contact::{Body, Edge, FaceObstacle, FaceStrip, StripLimits, Sweep, cl_of};
-use crate::cutter::Cutter;
+use crate::cutter::{Cutter, Holder};
 use crate::geometry::{Curvature, Face, Field, IsoLine, Jet, Uv};
 use crate::math::frame::Frame;
 use crate::posture::{PostureField, moving_strip};
@@ -15,6 +15,7 @@ pub(super) struct Setup<'a> {
     pub(super) face: &'a Face,
     pub(super) obstacle: FaceObstacle,
     pub(super) cutter: &'a Cutter,
+    pub(super) holder: Option<Holder>,
     pub(super) postures: PostureField,
     pub(super) finish: Finish,
     /// Passes are its level lines.
@@ -103,11 +104,16 @@ impl Setup<'_> {
         let (cl, cc) = (&station.cl, &station.cc);
         self.obstacle.depth_beside(self.cutter, cl, uv, &cc.frame) >= -GOUGE
             && self.obstacle.depth(self.cutter, cl, cc.point, -GOUGE) >= -GOUGE
+            && self.holder_clears(cl)
     }
 
     /// Whether the cutter at `cl`, which touches nothing, reaches into the face nowhere at all.
     pub(super) fn is_off(&self, cl: &ClPoint) -> bool {
-        self.obstacle.depth(self.cutter, cl, DVec3::INFINITY, -GOUGE) >= -GOUGE
+        self.obstacle.depth(self.cutter, cl, DVec3::INFINITY, -GOUGE) >= -GOUGE && self.holder_clears(cl)
+    }
+
+    fn holder_clears(&self, cl: &ClPoint) -> bool {
+        self.holder.is_none_or(|holder| self.obstacle.clears_holder(&holder, cl, 0.0))
     }
 
     /// The strip at `uv` on a level line; `None` where the cutter cannot go.

@@ -3,37 +3,39 @@
 use super::probe::{GOUGE, Probe, Reach, Setup, contact_frame};
 use super::{Finish, Order};
 use crate::contact::FaceObstacle;
-use crate::cutter::Cutter;
+use crate::cutter::{Cutter, Tool};
 use crate::geometry::{Face, Field};
 use crate::monitor::{Cancelled, Stage};
 use crate::posture::{Ground, PostureField, Rule, choose};
 use crate::toolpath::Posture;
 
 impl<'a> Setup<'a> {
-    /// For the level lines of `field` on `face`, for a cutter that leans by `rule`.
+    /// For the level lines of `field` on `face`, for a tool that leans by `rule`.
     pub(super) fn new(
         face: &'a Face,
-        cutter: &'a Cutter,
+        tool: &'a Tool,
         rule: &Rule,
         finish: Finish,
         (field, column): (Field, Field),
         order: Order,
         stage: &Stage,
     ) -> Result<Self, Cancelled> {
+        let Tool { cutter, holder } = tool;
         let obstacle = FaceObstacle::for_cutter(face, cutter);
         let postures = PostureField::fixed(Posture::default());
-        let mut setup = Self { face, obstacle, cutter, postures, finish, field, column, strip: 0.0 };
+        let mut setup =
+            Self { face, obstacle, cutter, holder: *holder, postures, finish, field, column, strip: 0.0 };
         setup.choose(rule, order, stage)?;
         Ok(setup)
     }
 
     /// Chooses postures for the field that it has now.
     pub(super) fn choose(&mut self, rule: &Rule, order: Order, stage: &Stage) -> Result<(), Cancelled> {
-        let (face, cutter, finish) = (self.face, self.cutter, &self.finish);
+        let (face, cutter, holder, finish) = (self.face, self.cutter, self.holder, &self.finish);
         let feed = |uv, reversed| contact_frame(face, &self.field, uv, reversed);
         let obstacle = &self.obstacle;
         let (scallop, most_lift) = (finish.scallop, rule.most_lift(finish.scallop, finish.chord));
-        let ground = Ground { face, obstacle, cutter, feed: &feed, scallop, gouge: GOUGE, most_lift };
+        let ground = Ground { face, obstacle, cutter, holder, feed: &feed, scallop, gouge: GOUGE, most_lift };
         self.postures = choose(rule, &ground, order == Order::ZigZag, stage)?;
         self.strip = 2.0 * probe_spacing(cutter, self.postures.typical(), finish);
         Ok(())

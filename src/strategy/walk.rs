@@ -82,7 +82,7 @@ impl Walker<'_> {
     fn station(&self, t: f64) -> Option<(Uv, Station)> {
         let i = (t.floor() as usize).min(self.nodes.len() - 2);
         let (a, b, s) = (self.nodes[i], self.nodes[i + 1], t - i as f64);
-        let uv = Uv::new(a.u + (b.u - a.u) * s, a.v + (b.v - a.v) * s);
+        let uv = a.lerp(b, s);
         let uv = self.setup.field.onto_level(self.setup.face, self.level, uv)?;
         Some((uv, self.setup.station(uv, self.reversed)?))
     }

@@ -1,7 +1,7 @@
 //! How much shorter passes are with one plan than with another, beside what the widths of their strips allow.
 
 use glam::DVec3;
-use stepover::geometry::{Face, Zone};
+use stepover::geometry::{Domain, Face, Range, Uv, Zone};
 use stepover::job::Plan;
 use stepover::toolpath::Role;
 use stepover::verify::Samples;
@@ -19,10 +19,10 @@ impl Saving {
     /// The second plan's saving against the first over `face`, on whose area places `spacing` mm apart are looked at.
     pub(crate) fn of(plans: [&Plan; 2], face: &Face, spacing: f64) -> Self {
         let samples = Samples::of_face(face, spacing).unwrap();
-        let beyond = plans.map(Plan::unreached);
+        let (beyond, border) = (plans.map(Plan::unreached), border(face));
         Self {
             lengths: [length(plans[0], beyond[1]), length(plans[1], beyond[0])],
-            allowed: plans.map(|plan| allowed(plan, &samples, beyond)),
+            allowed: plans.map(|plan| allowed(plan, &samples, beyond, &border)),
         }
     }
 
@@ -44,12 +44,28 @@ fn length(plan: &Plan, beyond: &Zone) -> f64 {
     counts.map(|(w, _)| w[0].to.tip.distance(w[1].to.tip)).sum()
 }
 
-fn allowed(plan: &Plan, samples: &Samples, beyond: [&Zone; 2]) -> f64 {
+fn allowed(plan: &Plan, samples: &Samples, beyond: [&Zone; 2], border: &[DVec3]) -> f64 {
     let strips: Vec<(DVec3, f64)> =
         plan.touches.iter().filter_map(|touch| Some((touch.point, touch.contact?.1.strip?))).collect();
+    // A strip that a border ends counts as twice its other half, which is no width that a cutter cuts where it lies aslant.
+    let is_whole = |(point, width): &&(DVec3, f64)| border.iter().all(|b| b.distance(*point) > 0.5 * width);
+    let whole: Vec<(DVec3, f64)> = strips.iter().filter(is_whole).copied().collect();
+    let strips = if whole.is_empty() { strips } else { whole };
     let counts = samples.samples.iter().zip(&samples.areas);
     let counts = counts.filter(|(sample, _)| !beyond.iter().any(|zone| zone.contains(sample.point)));
     counts.map(|(sample, area)| area / nearest(&strips, sample.point)).sum()
+}
+
+/// Points on the borders of `face`.
+fn border(face: &Face) -> Vec<DVec3> {
+    const PARTS: usize = 400;
+    let Domain { u, v } = face.domain();
+    let at = |range: Range, k: usize| range.lo + range.length() * k as f64 / PARTS as f64;
+    let along_u = (!v.periodic).then_some([v.lo, v.hi]).into_iter().flatten();
+    let along_u = along_u.flat_map(|v| (0..=PARTS).map(move |k| Uv::new(at(u, k), v)));
+    let along_v = (!u.periodic).then_some([u.lo, u.hi]).into_iter().flatten();
+    let along_v = along_v.flat_map(|u| (0..=PARTS).map(move |k| Uv::new(u, at(v, k))));
+    along_u.chain(along_v).map(|uv| face.surface.point(uv)).collect()
 }
 
 fn nearest(strips: &[(DVec3, f64)], point: DVec3) -> f64 {

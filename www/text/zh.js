@@ -117,7 +117,7 @@ export default {
   'help.tolerance.safety': '按残留高度的这一比例规划；验证按全部高度判定。',
   'help.tolerance.chord_mm': '直线段允许偏离曲面的距离。',
   'help.feeds.rapid_mm_per_min': '只用于结果中的时间。',
-  'help.holder.shape': '连接运动会避免刀柄碰到工件；切削时不能避开之处会提示。',
+  'help.holder.shape': '刀具姿态和连接运动都会避免刀柄碰到工件；没有合适姿态之处不加工并提示。',
 
   'chart.open': '行距与倾角…',
   'chart.title': '行距与倾角',

@@ -4,7 +4,10 @@ use crate::page;
 use crate::shell::{self, root};
 use anyhow::{Context, Result};
 use std::fs;
+use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::thread;
 use wasm_bindgen_cli_support::Bindgen;
 
 /// The target that browsers run.
@@ -33,8 +36,19 @@ const MODULES: [Module; 4] = [
 /// Compiles the library for the browser, once for each module, and writes them to [`folder`].
 pub fn build() -> Result<()> {
     add_target()?;
+    page::install()?;
     fs::create_dir_all(folder())?;
-    MODULES.iter().try_for_each(build_one)
+    // The compiler's last step, which takes longest, keeps one core busy: so as many at once as there are cores.
+    let next = Mutex::new(MODULES.iter());
+    let take = || next.lock().ok().and_then(|mut modules| modules.next());
+    let work = || std::iter::from_fn(take).try_for_each(build_one);
+    let cores = thread::available_parallelism().map_or(1, NonZeroUsize::get);
+    thread::scope(|scope| {
+        let workers: Vec<_> = (0..cores.min(MODULES.len())).map(|_| scope.spawn(work)).collect();
+        workers
+            .into_iter()
+            .try_for_each(|worker| worker.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
+    })
 }
 
 fn build_one(module: &Module) -> Result<()> {
@@ -86,7 +100,6 @@ pub fn built(name: &str) -> PathBuf {
 /// Writes the module `from` to `to` without what is said twice. `-O1`: higher levels take three times as long for a
 /// thousandth of the size; the passes after it take a moment for three thousandths.
 fn shrink(from: &Path, to: &Path) -> Result<()> {
-    page::install()?;
     let features = ["simd", "bulk-memory", "nontrapping-float-to-int", "sign-ext", "mutable-globals"];
     let more = ["reference-types", "multivalue", "extended-const"];
     let mut args: Vec<String> = features.iter().chain(&more).map(|name| format!("--enable-{name}")).collect();

@@ -1,0 +1,153 @@
+//! Places on a face where is looked for what passes leave.
+
+use super::family::{Candidate, Family};
+use super::probe::{Probe, Reach};
+use super::spacing::Toward;
+use crate::geometry::{FaceGrid, Uv};
+use glam::DVec3;
+
+/// Cells from a border that are looked at more closely, and how many parts a side of each then has.
+const RIM: usize = 3;
+const FINER: usize = 4;
+/// Parts that a side of a cell on a border has: strips that lie aslant leave their smallest spots right there.
+const ALONG: usize = 24;
+/// Where normals across a cell have a lower cosine than this (11°), it bends much.
+const BENT: f64 = 0.98;
+
+/// A part of a face between two values of either parameter.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Patch {
+    pub(super) low: Uv,
+    pub(super) high: Uv,
+}
+
+impl Patch {
+    /// The cell `(i, j)` of `grid`.
+    fn cell(grid: &FaceGrid, i: usize, j: usize) -> Self {
+        Self { low: grid.uv(i, j), high: grid.uv(i + 1, j + 1) }
+    }
+
+    /// The place at these shares of its sides.
+    fn at(&self, u: f64, v: f64) -> Uv {
+        let Self { low, high } = self;
+        Uv::new(low.u + (high.u - low.u) * u, low.v + (high.v - low.v) * v)
+    }
+
+    fn middle(&self) -> Uv {
+        self.at(0.5, 0.5)
+    }
+
+    /// As many times as many parts of it.
+    fn parts(self, side: usize) -> impl Iterator<Item = Self> {
+        let share = move |k: usize| k as f64 / side as f64;
+        (0..side * side).map(move |k| {
+            let (i, j) = (k % side, k / side);
+            Self { low: self.at(share(i), share(j)), high: self.at(share(i + 1), share(j + 1)) }
+        })
+    }
+
+    /// The middles of as many times as many parts of it.
+    pub(super) fn places(self, side: usize) -> impl Iterator<Item = Uv> {
+        self.parts(side).map(|part| part.middle())
+    }
+}
+
+impl Family<'_> {
+    /// Parts of the face all over it, half a strip large, and smaller beside its borders and where it bends much: the latter
+    /// apart.
+    pub(super) fn patches(&self) -> [Vec<Patch>; 2] {
+        let grid = self.lines.grid();
+        let ((nu, nv), domain) = (grid.size(), self.setup.face.domain());
+        let is_rim = |k: usize, count: usize, periodic: bool| !periodic && (k < RIM || k + 1 + RIM >= count);
+        let normal = |k: usize| self.setup.face.at(grid.uv(k % nu, k / nu)).map(|(_, normal)| normal);
+        let normals: Vec<Option<DVec3>> = (0..nu * nv).map(normal).collect();
+        let is_bent = |i: usize, j: usize| {
+            let [a, b, c, d] = [(0, 0), (1, 1), (1, 0), (0, 1)].map(|(p, q)| normals[(j + q) * nu + i + p]);
+            let turns = |a: Option<DVec3>, b| a.zip(b).is_none_or(|(a, b): (DVec3, _)| a.dot(b) < BENT);
+            turns(a, b) || turns(c, d)
+        };
+        let [mut plain, mut close] = [Vec::new(), Vec::new()];
+        for (i, j) in (0..nv - 1).flat_map(|j| (0..nu - 1).map(move |i| (i, j))) {
+            let cell = Patch::cell(grid, i, j);
+            let rim = is_rim(i, nu, domain.u.periodic) || is_rim(j, nv, domain.v.periodic);
+            if rim || is_bent(i, j) {
+                close.extend(cell.parts(FINER));
+            } else {
+                plain.push(cell);
+            }
+        }
+        [plain, close]
+    }
+
+    /// Ends of short pieces of the borders of the face.
+    pub(super) fn border(&self) -> Vec<[Uv; 2]> {
+        let (nu, nv) = self.lines.grid().size();
+        let cells = (0..nv - 1).flat_map(|j| (0..nu - 1).map(move |i| (i, j)));
+        cells.flat_map(|cell| self.pieces_of_border(cell, ALONG)).collect()
+    }
+
+    /// The ends of so many `parts` of each side of the cell `(i, j)` of the grid that lies on a border of the face.
+    fn pieces_of_border(&self, cell: (usize, usize), parts: usize) -> impl Iterator<Item = [Uv; 2]> {
+        let ends = move |a: Uv, b: Uv, k: usize| [k, k + 1].map(|k| between(a, b, k, parts));
+        self.sides(cell).flat_map(move |[a, b]| (0..parts).map(move |k| ends(a, b, k)))
+    }
+
+    /// The sides of the cell `(i, j)` of the grid that lie on borders of the face.
+    fn sides(&self, (i, j): (usize, usize)) -> impl Iterator<Item = [Uv; 2]> {
+        let grid = self.lines.grid();
+        let ((nu, nv), domain) = (grid.size(), self.setup.face.domain());
+        let sides = [
+            (!domain.v.periodic && j == 0, [(0, 0), (1, 0)]),
+            (!domain.v.periodic && j + 2 == nv, [(0, 1), (1, 1)]),
+            (!domain.u.periodic && i == 0, [(0, 0), (0, 1)]),
+            (!domain.u.periodic && i + 2 == nu, [(1, 0), (1, 1)]),
+        ];
+        sides
+            .into_iter()
+            .filter(|(is_border, _)| *is_border)
+            .map(move |(_, ends)| ends.map(|(p, q)| grid.uv(i + p, j + q)))
+    }
+
+    /// Places in the cell `(i, j)` of the grid, whose sides have so many `parts`, and so many more where they lie on borders.
+    pub(super) fn places_in(&self, (i, j): (usize, usize), [parts, border]: [usize; 2]) -> Vec<Uv> {
+        let inside = Patch::cell(self.lines.grid(), i, j).places(parts);
+        let sides = self.sides((i, j)).flat_map(|[a, b]| (0..=border).map(move |k| between(a, b, k, border)));
+        inside.chain(sides).collect()
+    }
+
+    /// Places so many `times` closer together than those, about each of them that `is_picked`.
+    pub(super) fn places_about(
+        &self,
+        cell: (usize, usize),
+        [parts, border]: [usize; 2],
+        times: usize,
+        is_picked: impl Fn(Uv) -> bool,
+    ) -> Vec<Uv> {
+        let parts = Patch::cell(self.lines.grid(), cell.0, cell.1).parts(parts);
+        let inside = parts.filter(|part| is_picked(part.middle())).flat_map(|part| part.places(times));
+        let pieces = self.pieces_of_border(cell, border).filter(|ends| ends.iter().any(|uv| is_picked(*uv)));
+        let beside = pieces.flat_map(|[a, b]| (0..=times).map(move |k| between(a, b, k, times)));
+        inside.chain(beside).collect()
+    }
+}
+
+/// Pieces of the edges of the strips on `tracks`, where cusps are highest, between neighbouring probes.
+pub(super) fn edges(tracks: &[Candidate]) -> Vec<[Uv; 2]> {
+    let edge = |probe: &Probe, toward| match probe.reach(toward) {
+        Some(Reach::To { uv, .. }) => Some(uv),
+        _ => None,
+    };
+    let mut edges = Vec::new();
+    for probes in tracks.iter().flat_map(|track| &track.probes) {
+        for toward in [Toward::Higher, Toward::Lower] {
+            let pieces = probes.windows(2);
+            edges.extend(pieces.filter_map(|w| Some([edge(&w[0], toward)?, edge(&w[1], toward)?])));
+        }
+    }
+    edges
+}
+
+/// The place `k` of `count` equal steps from `a` to `b`.
+pub(super) fn between(a: Uv, b: Uv, k: usize, count: usize) -> Uv {
+    a.lerp(b, k as f64 / count as f64)
+}
