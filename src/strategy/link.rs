@@ -32,13 +32,13 @@ impl Linking {
         (from.axis.dot(to.axis) >= LEAST_COSINE && across <= 10.0 * lift).then_some(across)
     }
 
-    /// Time of a link near the part with nothing in its way, up to the last stretch down, min; infinite if there is none.
-    pub(super) fn near(&self, from: &ClPoint, to: &ClPoint) -> f64 {
+    /// Time of a link near the part with nothing in its way, up to the last stretch down, min, if there is one.
+    pub(super) fn near(&self, from: &ClPoint, to: &ClPoint) -> Option<f64> {
         let time = |times: f64| {
             let across = self.across(from, to, times * self.lift)?;
             Some(((2.0 * times - 1.0) * self.lift + across) / self.cut_feed)
         };
-        LIFTS.into_iter().find_map(time).unwrap_or(f64::INFINITY)
+        LIFTS.into_iter().find_map(time)
     }
 }
 

@@ -70,7 +70,7 @@ impl Search<'_> {
         match (from.map(|way| self.end(way)), to.map(|way| self.start(way))) {
             (Some(from), Some(to)) => {
                 let around = from.away + self.refuge.around_by(from.out, to.out) + to.away - self.how.lift;
-                self.how.near(&from.cl, &to.cl).min(rapid(around))
+                self.how.near(&from.cl, &to.cl).unwrap_or(rapid(around))
             }
             (Some(end), None) | (None, Some(end)) => rapid(end.away),
             (None, None) => 0.0,
