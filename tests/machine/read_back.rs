@@ -123,7 +123,8 @@ fn times_of_blocks_are_what_the_axes_need() {
         }
         if let Rate::Feed(feed) = b.rate {
             let length = a.to.tip.distance(b.to.tip);
-            assert!(60.0 * length <= feed * b.seconds * (1.0 + 1e-4));
+            // The feed counts the path's own way, beside which places stand by less than its tolerance.
+            assert!(60.0 * (length - 1e-4) <= feed * b.seconds * (1.0 + 1e-6));
         }
     }
     // Accelerating takes longer than not to, and no kind of move takes less than at constant speed.
