@@ -83,8 +83,8 @@ pub fn smoothing(axes: &[Axis], path: &AxisPath) -> f64 {
 /// The share of the full speed at both ends of every block.
 fn corners(axes: &[Axis], blocks: &[Block], smoothing: f64) -> Vec<f64> {
     let mut shares = vec![0.0; blocks.len() + 1];
-    for k in 1..blocks.len() {
-        shares[k] = turning(axes, blocks.split_at(k), smoothing);
+    for (k, share) in shares.iter_mut().enumerate().take(blocks.len()).skip(1) {
+        *share = turning(axes, blocks.split_at(k), smoothing);
     }
     // What the blocks after it let it slow down from, and what those before it let it come to.
     for k in (0..blocks.len()).rev() {
