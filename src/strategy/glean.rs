@@ -3,14 +3,14 @@
 
 use super::family::{Candidate, Family};
 use super::left::Moves;
-use super::places::between;
+use super::places::{Patch, between};
 use super::probe::Probe;
 use crate::geometry::{IsoLine, Uv, Zone};
 use crate::monitor::{Cancelled, Stage};
 use crate::toolpath::Pass;
 use glam::DVec3;
 
-/// Where more than this share of the limit is left beside a border or on it, places lie closer together, so many times.
+/// Where more than this share of the limit is left, places lie closer together, so many times.
 const HIGH: f64 = 0.4;
 const CLOSER: [usize; 2] = [4, 8];
 /// The share of the limit that the very ridges of cusps may reach, which strips that meet edge to edge leave at the limit: 1.00
@@ -45,9 +45,12 @@ impl Family<'_> {
         let [plain, close] = self.patches();
         let mut places: Vec<Uv> = plain.iter().chain(&close).map(|patch| patch.low).collect();
         // Near what is high already more may be left between the places.
-        let is_high = stage.quiet().map(close.len(), |k| moves.leave(close[k].low, HIGH * limit))?;
-        let high = close.iter().zip(is_high).filter(|(_, is_high)| *is_high);
-        places.extend(high.flat_map(|(patch, _)| patch.places(CLOSER[0])));
+        for patches in [&close, &plain] {
+            let is_high = |patch: &Patch| patch.corners().iter().any(|uv| moves.leave(*uv, HIGH * limit));
+            let is_high = stage.quiet().map(patches.len(), |k| is_high(&patches[k]))?;
+            let high = patches.iter().zip(is_high).filter(|(_, is_high)| *is_high);
+            places.extend(high.flat_map(|(patch, _)| patch.places(CLOSER[0])));
+        }
         let border = self.border();
         let is_high = |[a, b]: [Uv; 2]| moves.leave(a, HIGH * limit) || moves.leave(b, HIGH * limit);
         let is_high = stage.quiet().map(border.len(), |k| is_high(border[k]))?;

@@ -33,6 +33,10 @@ impl Patch {
         Uv::new(low.u + (high.u - low.u) * u, low.v + (high.v - low.v) * v)
     }
 
+    pub(super) fn corners(&self) -> [Uv; 4] {
+        [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)].map(|(u, v)| self.at(u, v))
+    }
+
     fn middle(&self) -> Uv {
         self.at(0.5, 0.5)
     }
