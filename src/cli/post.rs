@@ -40,10 +40,11 @@ pub(super) struct Post {
     /// cutter's height if that is more.
     #[arg(long)]
     tool_length: Option<f64>,
-    /// How far the tip may be from its line at feed, mm; 0.001 if not given.
+    /// How far the contact may be from its way across the surface at feed, mm, or without contacts the tip from its line; 0.00005 if not
+    /// given, which leaves excess and gouge as they are to 0.1 µm.
     #[arg(long)]
     chord: Option<f64>,
-    /// How far the tool's axis may be from its own at feed, degrees; 0.005 if not given.
+    /// How far the tool's axis may be from its own at feed, degrees; 0.002 if not given.
     #[arg(long)]
     axis: Option<f64>,
     /// Decimals of lengths (mm) and angles (degrees), 3 to 6; 4 if not given.

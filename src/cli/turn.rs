@@ -2,6 +2,8 @@
 
 use super::progress::Terminal;
 use super::{Failure, print, read, read_text, workers};
+use crate::job::JobError;
+use crate::job::machines;
 use crate::job::turning::{self, TurnedReport, TurningProof, TurningReport, TurningSpec};
 use crate::monitor::Stage;
 use clap::Args;
@@ -15,6 +17,10 @@ pub(super) struct Turn {
     /// The folder for the results; made if it is not there.
     #[arg(long, required_unless_present = "verify")]
     out: Option<PathBuf>,
+    /// The lathe, JSON (examples/machines/lathe_xzc.json): its speeds, accelerations and jerks are the limits, instead of those of the
+    /// specification, and the path must lie within the travel of its axes.
+    #[arg(long, conflicts_with = "verify")]
+    machine: Option<PathBuf>,
     /// Prove this program (path.nc or path.pvt) against the part instead of planning, and print what it leaves as JSON.
     #[arg(long, conflicts_with = "out")]
     verify: Option<PathBuf>,
@@ -25,8 +31,13 @@ pub(super) struct Turn {
 
 impl Turn {
     pub(super) fn run(&self) -> Result<(), Failure> {
-        let spec = TurningSpec::from_json(&read_text(&self.spec)?)
-            .map_err(|e| Failure::Job(format!("{}: {e}", self.spec.display())))?;
+        let in_file = |path: &Path, e: JobError| Failure::Job(format!("{}: {e}", path.display()));
+        let spec = TurningSpec::from_json(&read_text(&self.spec)?).map_err(|e| in_file(&self.spec, e))?;
+        let lathe = match &self.machine {
+            Some(path) => Some((path, machines::lathe(&read_text(path)?).map_err(|e| in_file(path, e))?)),
+            None => None,
+        };
+        let spec = lathe.iter().fold(spec, |spec, (_, lathe)| lathe.limiting(spec));
         let beside = |file| self.spec.parent().unwrap_or(Path::new("")).join(file);
         let bytes = spec.surface.file().map(|file| read(&beside(file))).transpose()?;
         let terminal = Terminal::new();
@@ -38,6 +49,9 @@ impl Turn {
             return print(&proof.verified.to_json());
         }
         let plan = turning::plan(&spec, bytes.as_deref(), &stage.part("Planning", 0.0, 0.3))?;
+        if let Some((path, lathe)) = &lathe {
+            lathe.holds(&plan.emitted).map_err(|e| in_file(path, e))?;
+        }
         let proof = plan.prove(&stage.part("Proving", 0.3, 1.0))?;
         terminal.clear();
         let report = plan.report(proof.as_ref());
@@ -54,6 +68,9 @@ impl Turn {
         write("report.json", &report.to_json())?;
         if let Some(proof) = &proof {
             write("residue.csv", &map(proof))?;
+        }
+        if let Some((_, lathe)) = &lathe {
+            print(&format!("machine      {}", lathe.name()))?;
         }
         summary(&report)
     }

@@ -17,10 +17,12 @@ pub(super) struct Joining<'a> {
 }
 
 impl Joining<'_> {
-    /// The passes in one path, with `warnings` of what cuts meet.
+    /// The passes in one path, with `warnings` of what cuts meet: in their order, or in another one, `turned` where they may be, if they may be
+    /// moved and links take less time then.
     pub(super) fn joined(
         &self,
-        passes: &[Pass],
+        passes: &mut Vec<Pass>,
+        (moved, turned): (bool, bool),
         refuge: &Refuge,
         warnings: &mut Vec<String>,
         stage: &Stage,
@@ -30,7 +32,17 @@ impl Joining<'_> {
                 && (self.holder_clears)(cl, self.more)
                 && self.how.fixture.is_none_or(|height| self.outline.lowest(cl) > height)
         };
-        let linked = strategy::link(passes, &self.how, refuge, &is_clear, stage)?;
+        let link =
+            |passes: &[Pass], stage: &Stage| strategy::link(passes, &self.how, refuge, &is_clear, stage);
+        let mut linked = link(passes, &stage.part("Joining passes", 0.0, 0.5))?;
+        let other = moved.then(|| strategy::shortened(passes, turned, &self.how, refuge)).flatten();
+        if let Some(other) = other {
+            let again = link(&other, &stage.part("Joining passes", 0.5, 1.0))?;
+            let time = |linked: &Linked| strategy::link_time(&linked.toolpath, &self.how);
+            if time(&again) < time(&linked) {
+                (linked, *passes) = (again, other);
+            }
+        }
         warnings.extend(self.met(&linked));
         Ok(linked)
     }

@@ -221,8 +221,8 @@ fn on_face(
             ));
         }
     };
-    let passes = ordered(planned.passes, spec.strategy.order(), false);
-    let planned = Planned { passes, ..planned };
+    let order = spec.strategy.order();
+    let mut passes = ordered(planned.passes, order, false);
     let obstacle = FaceObstacle::for_cutter(face, cutter);
     // Each larger by `more`, to either side of it.
     let clears = |cl: &ClPoint, more: f64| {
@@ -240,9 +240,11 @@ fn on_face(
         more: 0.5 * LOOK,
     };
     let refuge = Refuge::around(obstacle.bounds(), &joining.outline, &joining.how);
-    let linked =
-        joining.joined(&planned.passes, &refuge, warnings, &stage.part("Joining passes", 0.95, 1.0))?;
-    Ok((planned, linked))
+    // What is uncut shall stay on one side where that was asked for.
+    let may = (order.side().is_none(), false);
+    let joined = stage.part("Joining passes", 0.95, 1.0);
+    let linked = joining.joined(&mut passes, may, &refuge, warnings, &joined)?;
+    Ok((Planned { passes, ..planned }, linked))
 }
 
 fn on_mesh(
@@ -286,7 +288,8 @@ fn on_mesh(
         let why = "the cutter fits nowhere on this mesh from above: a smaller cutter, or the other side, may";
         return Err(JobError::Strategy(why.into()));
     }
-    let passes = ordered(raster.passes, order, order == OrderSpec::Zigzag);
+    let turned = order == OrderSpec::Zigzag;
+    let mut passes = ordered(raster.passes, order, turned);
     let top = mesh.bounds().map_or(0.0, |(_, high)| high.z);
     let (lowered, under) = (DropMesh::new(mesh), Underside::new(cutter));
     let held = holder.as_ref().map(Holder::solid).map(|(solid, up)| (Underside::new(&solid), up));
@@ -301,7 +304,8 @@ fn on_mesh(
         more: LOOK,
     };
     let refuge = Refuge::Above(top + joining.how.clearance);
-    let linked = joining.joined(&passes, &refuge, warnings, &stage.part("Joining passes", 0.95, 1.0))?;
+    let (may, joined) = ((order.side().is_none(), turned), stage.part("Joining passes", 0.95, 1.0));
+    let linked = joining.joined(&mut passes, may, &refuge, warnings, &joined)?;
     let (unreached, unseen) = (raster.unreached, raster.unseen);
     Ok((Planned { passes, unreached, unseen, largest_fit: None }, linked))
 }

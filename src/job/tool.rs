@@ -157,6 +157,7 @@ impl Spec {
         Linking {
             cut_feed: self.feeds.cut_mm_per_min,
             plunge_feed: self.feeds.plunge_mm_per_min,
+            rapid: self.feeds.rapid_mm_per_min,
             lift: self.links.lift_mm,
             lever: holder.map_or(cutter.height, |holder| holder.stickout.max(cutter.height)),
             clearance: self.links.clearance_mm,

@@ -2,6 +2,7 @@
 
 use super::Position;
 use crate::toolpath::{ClPoint, Rate, Role};
+use glam::DVec3;
 
 /// One straight move of all axes at once, from where the move before ended.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,6 +19,8 @@ pub struct AxisMove {
     pub seconds: f64,
     /// The time that the feed asks for, s; 0 in rapid.
     pub asked: f64,
+    /// The normal of the part's surface at its end, if it is known.
+    pub normal: Option<DVec3>,
     /// Whether it draws the tool back, turns it over, or returns it, which the toolpath does not ask for.
     pub turns_over: bool,
     /// The move of the toolpath that it is part of, counted from 0.

@@ -34,6 +34,13 @@ impl Machine {
     /// Errors name the axis and the field: numbers that are not finite, directions that are not of unit length, limits the wrong way
     /// round, axes that are missing, double, in the wrong order or parallel.
     pub fn check(&self) -> Result<(), MachineError> {
+        self.check_parts()?;
+        self.check_linear()?;
+        self.check_rotary()
+    }
+
+    /// Checks every axis and what holds part and tool, whichever axes there are. Errors are those of [`Machine::check`].
+    pub fn check_parts(&self) -> Result<(), MachineError> {
         for (index, axis) in self.axes.iter().enumerate() {
             check_axis(axis)?;
             if self.axes[..index].iter().any(|other| other.letter == axis.letter) {
@@ -54,11 +61,20 @@ impl Machine {
                 "axes are listed from the workpiece to the tool: those that carry the workpiece come first";
             return Err(wrong(axis, "carries", message));
         }
-        self.check_linear()?;
-        self.check_rotary()
+        if self.axes.is_empty() {
+            return Err(MachineError::new("axes", "are missing"));
+        }
+        Ok(())
     }
 
     fn check_linear(&self) -> Result<(), MachineError> {
+        if self.axes.iter().map(|axis| axis.letter).filter(|letter| !"XZC".contains(*letter)).count() == 0
+            && self.axes.iter().filter(|axis| axis.is_rotary()).count() == 1
+        {
+            let message = "is missing: this is a lathe with X, Z and one rotary axis, which turns optics (stepover turn --machine) \
+                           and cannot point a mill";
+            return Err(MachineError::new("axes.Y", message));
+        }
         for letter in ['X', 'Y', 'Z'] {
             if !self.axes.iter().any(|axis| axis.letter == letter && !axis.is_rotary()) {
                 return Err(MachineError::new(

@@ -2,7 +2,8 @@
 
 use super::ball::Ball;
 use super::choose::choose;
-use super::follow::{Follower, Place, Room};
+use super::follow::{Follower, Line, Place, Room};
+use super::stray::Touching;
 use super::{Axis, AxisMove, AxisPath, Following, Kinematics, MotionError, Position};
 use crate::toolpath::{ClPoint, Move, Rate, Role, Toolpath};
 use glam::DVec3;
@@ -14,14 +15,15 @@ use glam::DVec3;
 /// draws back on a link, is turned over, and returns.
 ///
 /// The feed is that of the contact with the part, whose places at the ends of the moves are `contacts`; where a move has none at either
-/// end, and beyond the end of the slice, that of the tip. It is asked for, and lowered where an axis would go faster than it can.
+/// end, and beyond the end of the slice, that of the tip. It is asked for, and lowered where an axis would go faster than it can. Where
+/// contacts are known at both ends of a move the tolerance of the tip is that of its contact across the surface.
 ///
 /// Errors name the move, its end, and the axis: a pose that the machine cannot reach, a limit that the path leaves, a turn for which the path
 /// offers no link.
 pub fn drive(
     kinematics: &Kinematics,
     path: &Toolpath,
-    contacts: &[Option<DVec3>],
+    contacts: &[Option<Touching>],
     how: &Following,
 ) -> Result<AxisPath, MotionError> {
     let chosen = choose(kinematics, path, 0.5 * how.feed.axis.max(how.pole))?;
@@ -34,14 +36,17 @@ pub fn drive(
     };
     driver.path.moves.reserve(path.moves.len());
     for (index, (step, chosen)) in path.moves.iter().zip(&chosen).enumerate() {
-        let length = index.checked_sub(1).map_or(0.0, |before| {
-            let contact = |k: usize| contacts.get(k).copied().flatten();
-            match (contact(before), contact(index)) {
-                (Some(from), Some(to)) => from.distance(to),
-                _ => step.to.tip.distance(path.moves[before].to.tip),
-            }
-        });
-        driver.go(Leg { step, source: index, length, keeps_axis: true }, driver.snapped(chosen.arrive))?;
+        let contact = |k: usize| contacts.get(k).copied().flatten();
+        let before = index.checked_sub(1);
+        let touching = before.and_then(contact).zip(contact(index)).map(|(from, to)| [from, to]);
+        let length = match (touching, before) {
+            (Some([from, to]), _) => from.point.distance(to.point),
+            (None, Some(before)) => step.to.tip.distance(path.moves[before].to.tip),
+            (None, None) => 0.0,
+        };
+        let normal = contact(index).map(|at| at.normal);
+        let leg = Leg { step, source: index, length, keeps_axis: true, touching, normal };
+        driver.go(leg, driver.snapped(chosen.arrive))?;
         if let Some(leave) = chosen.leave {
             driver.turn_over(index, step, driver.snapped(leave))?;
         }
@@ -56,6 +61,10 @@ struct Leg<'a> {
     /// The way that the feed counts, mm.
     length: f64,
     keeps_axis: bool,
+    /// Where the cutter touches at both ends.
+    touching: Option<[Touching; 2]>,
+    /// The surface's normal at its end, if it touches there.
+    normal: Option<DVec3>,
 }
 
 struct Driver<'a> {
@@ -82,10 +91,10 @@ impl Driver<'_> {
     }
 
     fn go(&mut self, leg: Leg, rotary: [f64; 2]) -> Result<(), MotionError> {
-        let &Leg { step, source, length, keeps_axis } = &leg;
+        let &Leg { step, source, length, keeps_axis, touching, .. } = &leg;
         let end = self.kinematics.at(step.to.tip, rotary);
         let Some(last) = self.path.moves.last() else {
-            return self.push(&leg, Place { share: 1.0, at: end }, 0.0);
+            return self.push(&leg, Place::new(1.0, end), 0.0);
         };
         let (tolerance, pole) = match step.rate {
             Rate::Rapid => (self.how.rapid, 0.0),
@@ -96,11 +105,12 @@ impl Driver<'_> {
         let follower =
             Follower { kinematics, control, tolerance, pole, largest_turn, step: step_angle, keeps_axis };
         let mut room = std::mem::take(&mut self.room);
-        if !follower.follow([&last.to, &step.to], [last.at, end], &mut room) {
+        let line = Line { from: &last.to, to: &step.to, touching };
+        if !follower.follow(&line, [last.at, end], &mut room) {
             return Err(MotionError::Jump { index: source, point: step.to.tip });
         }
         let mut before = 0.0;
-        for &place in room.places.iter().chain([&Place { share: 1.0, at: end }]) {
+        for &place in room.places.iter().chain([&Place::new(1.0, end)]) {
             self.push(&leg, place, (place.share - before) * length)?;
             before = place.share;
         }
@@ -124,8 +134,23 @@ impl Driver<'_> {
         let least = |last: &AxisMove| least_time(self.kinematics.axes(), &last.at, &place.at);
         let seconds = self.path.moves.last().map_or(0.0, |last| least(last).max(asked));
         let (at, Move { rate, role, .. }) = (place.at, *step);
+        let normal = match leg.touching {
+            Some([from, to]) if !is_end => Some(from.normal.lerp(to.normal, place.share)),
+            _ => leg.normal.filter(|_| is_end),
+        };
         let turns_over = false;
-        self.path.moves.push(AxisMove { at, to, rate, role, seconds, asked, turns_over, source, is_end });
+        self.path.moves.push(AxisMove {
+            at,
+            to,
+            rate,
+            role,
+            seconds,
+            asked,
+            normal,
+            turns_over,
+            source,
+            is_end,
+        });
         Ok(())
     }
 
@@ -160,7 +185,10 @@ impl Driver<'_> {
         for (to, rotary, keeps_axis) in [(back, arrived, true), (back, leave, false), (step.to, leave, true)]
         {
             let step = Move { to, rate: Rate::Rapid, role: Role::Link };
-            self.go(Leg { step: &step, source: index, length: 0.0, keeps_axis }, rotary)?;
+            self.go(
+                Leg { step: &step, source: index, length: 0.0, keeps_axis, touching: None, normal: None },
+                rotary,
+            )?;
         }
         for added in &mut self.path.moves[begin..] {
             (added.is_end, added.turns_over) = (false, true);

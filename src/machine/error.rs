@@ -14,7 +14,8 @@ pub struct MachineError {
 }
 
 impl MachineError {
-    pub(super) fn new(field: impl Into<String>, message: impl Into<String>) -> Self {
+    /// That of a field.
+    pub fn new(field: impl Into<String>, message: impl Into<String>) -> Self {
         Self { field: field.into(), message: message.into() }
     }
 }

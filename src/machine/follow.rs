@@ -1,6 +1,7 @@
 //! Between the ends of a move: points that keep the tip on its line and the axis near its own while the machine's axes go straight.
 
 use super::ends::wrapped;
+use super::stray::{Stray, TIP, Touching, across, at_contact};
 use super::{Control, Kinematics, Position, Tolerance};
 use crate::toolpath::ClPoint;
 use glam::DVec3;
@@ -8,16 +9,34 @@ use glam::DVec3;
 /// The largest turn of an axis in one piece, radians. Within a turn of θ the tip's bow is that of a parabola to about its θ-th part, so
 /// that it is enough to look at its middle, with that part in hand.
 pub(super) const LARGEST_TURN: f64 = 0.1;
-/// How often a piece may be halved: what a thousandth of a millimetre in a kilometre would ask for.
-const MOST_HALVINGS: u32 = 40;
+/// How often a piece may be divided: what a thousandth of a millimetre in a kilometre would ask for in halves.
+const MOST_DIVIDED: u32 = 40;
+
+/// A straight move of the tool over the part.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Line<'a> {
+    pub(super) from: &'a ClPoint,
+    pub(super) to: &'a ClPoint,
+    /// Where it touches at both ends, if that is known.
+    pub(super) touching: Option<[Touching; 2]>,
+}
 
 /// A place between the ends of a move.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Place {
     /// Share of the move.
     pub(super) share: f64,
-    /// Where the axes stand there; the tip is on the move's straight line.
+    /// Where the axes stand there.
     pub(super) at: Position,
+    /// How far the tip stands off the move's straight line, to the other side of where the pieces bow to, mm.
+    off: DVec3,
+}
+
+impl Place {
+    /// On the move's line.
+    pub(super) fn new(share: f64, at: Position) -> Self {
+        Self { share, at, off: DVec3::ZERO }
+    }
 }
 
 /// What following needs room for, kept from move to move.
@@ -25,7 +44,7 @@ pub(super) struct Place {
 pub(super) struct Room {
     /// What was found: the places of the move in their order.
     pub(super) places: Vec<Place>,
-    /// Ends of pieces that are still to be looked at, the nearest last, with how often each was halved.
+    /// Ends of pieces that are still to be looked at, the nearest last, with how often each was divided.
     left: Vec<(Place, u32)>,
 }
 
@@ -46,15 +65,16 @@ pub(super) struct Follower<'a> {
 }
 
 impl Follower<'_> {
-    /// Finds the places between `from` and `to`, without these, in the order of the move. The axes stand at `start` and `end` there.
-    /// False if the tolerance cannot be kept.
+    /// Finds the places between `start` and `end` on a line, without these, in the order of the move. False if the tolerance cannot be kept.
     ///
-    /// A piece whose axis would stray is halved where the move's own axis is reached, one whose tip would bow is halved where the
-    /// rotary axes are half-way. So the tool passes the pole: once a piece is so small that the axis stays within its tolerance
-    /// whatever the free axis does, that axis swings round at one speed and the linear axes hold the tip.
+    /// A piece that strays is divided evenly into as many as keep the tolerance: where the move's own axis is reached if its axis strays,
+    /// and else where the rotary axes are at their shares. Places between them stand off the line by half of what the pieces bow, to the
+    /// other side, so that the tool is off by as much to either side, and pieces may be longer. So the tool passes the pole: once a
+    /// piece is so small that the axis stays within its tolerance whatever the free axis does, that axis swings round at one speed and the
+    /// linear axes hold the tip.
     pub(super) fn follow(
         &self,
-        [from, to]: [&ClPoint; 2],
+        line: &Line,
         [start, end]: [Position; 2],
         Room { places, left }: &mut Room,
     ) -> bool {
@@ -63,63 +83,78 @@ impl Follower<'_> {
         if self.control == Control::Vector {
             return true;
         }
-        left.push((Place { share: 1.0, at: end }, 0));
-        let mut begin = Place { share: 0.0, at: start };
-        while let Some(&(piece_end, halvings)) = left.last() {
-            let middle = match self.halve([from, to], [&begin, &piece_end]) {
-                Halved::Keeps => None,
-                Halved::At(middle) => Some(middle),
-                Halved::Never => return false,
-            };
-            match middle {
-                Some(_) if halvings == MOST_HALVINGS => return false,
-                Some(middle) => {
-                    if let Some(last) = left.last_mut() {
-                        last.1 += 1;
-                    }
-                    left.push((middle, halvings + 1));
+        left.push((Place::new(1.0, end), 0));
+        let mut begin = Place::new(0.0, start);
+        while let Some(&(piece_end, divided)) = left.last() {
+            let pieces = self.look(line, [&begin, &piece_end]);
+            if pieces.count < 2 {
+                left.pop();
+                if !left.is_empty() {
+                    places.push(piece_end);
                 }
-                None => {
-                    left.pop();
-                    if !left.is_empty() {
-                        places.push(piece_end);
-                    }
-                    begin = piece_end;
+                begin = piece_end;
+                continue;
+            }
+            if divided == MOST_DIVIDED {
+                return false;
+            }
+            if let Some(last) = left.last_mut() {
+                last.1 += 1;
+            }
+            for k in (1..pieces.count).rev() {
+                match self.place(line, [&begin, &piece_end], &pieces, k) {
+                    Some(place) => left.push((place, divided + 1)),
+                    None => return false,
                 }
             }
         }
         true
     }
 
-    fn halve(&self, [from, to]: [&ClPoint; 2], [begin, end]: [&Place; 2]) -> Halved {
-        let share = 0.5 * (begin.share + end.share);
+    /// Into how many pieces one must be divided to keep the tolerance.
+    fn look(&self, line: &Line, [begin, end]: [&Place; 2]) -> Pieces {
         let half = begin.at.lerp(&end.at, 0.5);
-        let pose = self.kinematics.pose(&half);
+        let (pose, share) = (self.kinematics.pose(&half), 0.5 * (begin.share + end.share));
+        let middle = between(line.from, line.to, share);
         let turn = (0..2).map(|k| (end.at.rotary[k] - begin.at.rotary[k]).abs()).fold(0.0, f64::max);
         let strays = |t: f64| {
             let at = begin.at.lerp(&end.at, t).rotary;
-            let asked = between(from, to, begin.share + t * (end.share - begin.share)).axis;
+            let asked = between(line.from, line.to, begin.share + t * (end.share - begin.share)).axis;
             self.kinematics.pointing(at).distance(asked) > self.allowed(asked)
         };
-        let middle = between(from, to, share);
-        if self.keeps_axis
-            && (pose.axis.distance(middle.axis) > self.allowed(middle.axis)
-                || turn > LARGEST_TURN && (strays(0.25) || strays(0.75)))
-        {
-            return match self.nearest_way(&middle, half.rotary) {
-                Some(rotary) => self.place(share, &middle, rotary),
-                None => Halved::Never,
-            };
+        let leaning = if self.keeps_axis { pose.axis - middle.axis } else { DVec3::ZERO };
+        let way = (line.to.tip - line.from.tip) * (end.share - begin.share);
+        let off = match self.control {
+            Control::Axes => across(pose.tip - middle.tip, way),
+            Control::Tip | Control::Vector => 0.5 * (begin.off + end.off),
+        };
+        let chord = (1.0 - turn).max(0.5) * self.tolerance.chord;
+        let Stray { off, over, lean } = match line.touching {
+            Some(touching) => at_contact(&touching, &middle, share, way, [off, leaning], chord),
+            None => Stray { off, over: off.length() / chord, lean: 0.0 },
+        };
+        let lean = lean.max(leaning.length() / self.allowed(middle.axis));
+        let strays = lean > 1.0 || self.keeps_axis && turn > LARGEST_TURN && (strays(0.25) || strays(0.75));
+        let anew = if strays {
+            Anew::Always
+        } else if lean > ANEW {
+            Anew::Near
+        } else {
+            Anew::Never
+        };
+        if turn > LARGEST_TURN.min(self.largest_turn.max(self.step)) {
+            // Far from a parabola nothing is known of how often to divide.
+            return Pieces { count: 2, anew, bow: DVec3::ZERO };
         }
-        let largest = LARGEST_TURN.min(self.largest_turn.max(self.step));
-        if self.control == Control::Tip && turn <= largest {
-            return Halved::Keeps;
+        if !strays && over <= 1.0 {
+            return Pieces { count: 1, anew, bow: DVec3::ZERO };
         }
-        let [a, b] = [begin, end].map(|place| from.tip.lerp(to.tip, place.share));
-        if turn > largest || bow(pose.tip, [a, b]) > (1.0 - turn) * self.tolerance.chord {
-            return self.place(share, &middle, half.rotary);
+        if begin.off == DVec3::ZERO && end.off == DVec3::ZERO {
+            let count = even(((0.5 * over).sqrt() + SHORTER).max(lean.sqrt()));
+            let share = 1.0 / (count as f64 - SHORTER);
+            return Pieces { count, anew, bow: off * (share * share) };
         }
-        Halved::Keeps
+        Pieces { count: even(over.max(lean).sqrt()), anew, bow: DVec3::ZERO }
     }
 
     /// How far the axis may be from `asked`.
@@ -128,9 +163,26 @@ impl Follower<'_> {
         if self.pole > self.tolerance.axis && is_at_pole() { self.pole } else { self.tolerance.axis }
     }
 
-    fn place(&self, share: f64, pose: &ClPoint, rotary: [f64; 2]) -> Halved {
+    /// Where one of several pieces ends; nothing if the machine cannot point the tool as asked for.
+    fn place(&self, line: &Line, [begin, end]: [&Place; 2], pieces: &Pieces, k: usize) -> Option<Place> {
+        let bow =
+            if pieces.bow.length() > 2.0 * TIP * self.tolerance.chord { DVec3::ZERO } else { pieces.bow };
+        let shorter = if bow == DVec3::ZERO { 0.0 } else { SHORTER };
+        let part = (k as f64 - 0.5 * shorter) / (pieces.count as f64 - shorter);
+        let share = begin.share + part * (end.share - begin.share);
+        let pose = between(line.from, line.to, share);
+        let mut rotary = begin.at.lerp(&end.at, part).rotary;
+        if pieces.anew != Anew::Never {
+            let own = self.nearest_way(&pose, rotary)?;
+            let [a, b] = [begin, end].map(|place| place.at.rotary);
+            let is_near = |k: usize| (own[k] - rotary[k]).abs() <= 0.25 * (b[k] - a[k]).abs();
+            if pieces.anew == Anew::Always || is_near(0) && is_near(1) {
+                rotary = own;
+            }
+        }
         let rotary = rotary.map(|angle| (angle / self.step).round() * self.step);
-        Halved::At(Place { share, at: self.kinematics.at(pose.tip, rotary) })
+        let off = -0.5 * bow;
+        Some(Place { share, at: self.kinematics.at(pose.tip + off, rotary), off })
     }
 
     /// The solution for `pose` that is nearest to `rotary`.
@@ -142,26 +194,35 @@ impl Follower<'_> {
     }
 }
 
-enum Halved {
-    /// The piece keeps the tolerance as it is.
-    Keeps,
-    At(Place),
-    /// The machine cannot point the tool as asked for.
+/// How a piece is divided.
+#[derive(Debug, Clone, Copy)]
+struct Pieces {
+    /// How many; 1 if it keeps the tolerance as it is.
+    count: usize,
+    /// Whether the rotary axes between them are found for the move's own axis.
+    anew: Anew,
+    /// How far each piece bows, mm, if their ends shall stand to the other side by half of it.
+    bow: DVec3,
+}
+
+/// Whether rotary axes are found for an axis, or stand at their shares between the ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Anew {
+    Always,
+    /// Where that is near to their shares: beside a pole it is not, and they swing round at one speed.
+    Near,
     Never,
 }
 
-/// How far the tip strays from a straight piece, mm, if it is at `middle` half-way.
-///
-/// A bow `d` carries it to `a + t (b − a) + 4 t (1 − t) d`. What of `d` lies along the piece does no harm while it is no more than a quarter of
-/// the piece; beyond that the tip overshoots the ends, and all of `d` counts.
-fn bow(middle: DVec3, [a, b]: [DVec3; 2]) -> f64 {
-    let (way, d) = (b - a, middle - 0.5 * (a + b));
-    let along = d.dot(way);
-    if along.abs() <= 0.25 * way.length_squared() {
-        (d - way * (along / way.length_squared().max(f64::MIN_POSITIVE))).length()
-    } else {
-        d.length()
-    }
+/// By how much of a piece both end pieces together are shorter where the pieces between them begin and end beside the line: with their ends
+/// off by half a bow, 1, they are off to both sides alike; an end piece that begins on the line and is as long as x pieces is off by at
+/// most half a bow where 4 x² t (1 − t) − t / 2 ≤ 1/2 for all t, that is, for x² ≤ 0.729.
+const SHORTER: f64 = 0.292;
+/// The share of its tolerance beyond which the axis is found anew in places that are inserted for the tip.
+const ANEW: f64 = 0.1;
+/// How many pieces: at least two, and no more than what a thousandth of a millimetre in a kilometre would ask for.
+fn even(pieces: f64) -> usize {
+    (pieces.ceil() as usize).clamp(2, 1000)
 }
 
 /// Where the tool is at a share of a straight move.

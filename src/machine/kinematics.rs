@@ -163,6 +163,11 @@ impl Kinematics {
         }
     }
 
+    /// Where the tool goes over the workpiece as X, Y and Z rise, with the rotary axes there.
+    pub fn ways_of_linear(&self, rotary: [f64; 2]) -> DMat3 {
+        self.columns(&self.turns(rotary))
+    }
+
     /// The turn of what hangs on the first rotary axis, and on both.
     fn turns(&self, rotary: [f64; 2]) -> [DMat3; 2] {
         let Some([first, second]) = self.about else { return [DMat3::IDENTITY; 2] };

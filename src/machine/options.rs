@@ -3,7 +3,7 @@
 /// How far the tool may be from where the toolpath has it, between the ends of its moves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tolerance {
-    /// The tip from its straight line, mm, above 0.
+    /// The contact from its way across the surface, mm, above 0; the tip from its straight line where the contact is not known.
     pub chord: f64,
     /// The axis from that of the straight move, radians, above 0.
     pub axis: f64,
@@ -42,11 +42,11 @@ pub struct Following {
 }
 
 impl Following {
-    /// A micrometre and 0.005° at feed, a twentieth of a millimetre and half a degree in rapid, angles to 10⁻⁴ degrees, 50 mm beyond the cuts.
+    /// A twentieth of a micrometre and 0.002° at feed, a twentieth of a millimetre and half a degree in rapid, angles to 10⁻⁴ degrees, 50 mm beyond the cuts.
     pub fn new(control: Control) -> Self {
         Self {
             control,
-            feed: Tolerance { chord: 1e-3, axis: 0.005f64.to_radians() },
+            feed: Tolerance { chord: 5e-5, axis: 0.002f64.to_radians() },
             rapid: Tolerance { chord: 0.05, axis: 0.5f64.to_radians() },
             pole: 0.0,
             largest_turn: 5.7f64.to_radians(),

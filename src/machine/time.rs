@@ -1,6 +1,7 @@
 //! How long a machine takes, with its axes' acceleration and jerk.
 
-use super::{Axis, AxisMove, AxisPath};
+use super::stretch::{Block, stretches};
+use super::{Axis, AxisPath};
 use crate::toolpath::{Rate, Role};
 
 /// Seconds by kind of move.
@@ -30,7 +31,8 @@ impl Times {
 /// there. Jerk is bounded as most controls do it, by running the axes' speeds through a moving average of the duration τ, the longest of
 /// acceleration over jerk of the axes that move: a jump of speed of Δv becomes an acceleration of Δv/τ, and a change of acceleration of a
 /// becomes a jerk of a/τ. That rounds corners, and ends the program τ later. Speeding up and turning are bounded one by one; on an axis
-/// that does both they may add up.
+/// that does both they may add up. Moves in which all axes keep their speeds count as one, so that the time is the same in however many
+/// blocks a motion is stated.
 ///
 /// Source of the filter: L. Biagiotti, C. Melchiorri, FIR filters for online trajectory planning with time- and frequency-domain
 /// specifications, 2012. Not counted: dwells, tool changes, spindles that run up.
@@ -52,13 +54,20 @@ pub fn estimate(axes: &[Axis], path: &AxisPath) -> Times {
 
 /// How long each move of `path` takes, s, in the way of [`estimate`]; 0 for the first, and for those in which nothing moves.
 pub fn durations(axes: &[Axis], path: &AxisPath) -> Vec<f64> {
-    let found: Vec<Option<Block>> = path.moves.windows(2).map(|pair| Block::of(axes, pair)).collect();
-    let blocks: Vec<Block> = found.iter().copied().flatten().collect();
+    let stretches = stretches(axes, path);
+    let blocks: Vec<Block> = stretches.iter().map(|stretch| stretch.block).collect();
     let corners = corners(axes, &blocks, smoothing(axes, path));
-    let mut taken =
-        blocks.iter().zip(corners.windows(2)).map(|(block, ends)| block.seconds(ends[0], ends[1]));
-    let moves = found.iter().map(|block| block.and_then(|_| taken.next()).unwrap_or(0.0));
-    std::iter::once(0.0).chain(moves).take(path.moves.len()).collect()
+    let mut durations = vec![0.0; path.moves.len()];
+    for (stretch, ends) in stretches.iter().zip(corners.windows(2)) {
+        let profile = stretch.block.profile(ends[0], ends[1]);
+        let (mut gone, mut before) = (0.0, 0.0);
+        for (duration, step) in durations[stretch.moves()].iter_mut().zip(&path.moves[stretch.moves()]) {
+            gone += step.seconds;
+            let after = profile.seconds(gone.min(stretch.block.nominal));
+            (*duration, before) = (after - before, after);
+        }
+    }
+    durations
 }
 
 /// The duration of the moving average, s: what the axes that move need to come to their full acceleration.
@@ -71,49 +80,11 @@ pub fn smoothing(axes: &[Axis], path: &AxisPath) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// A move as the time that it takes at its own speed, and the axes' speeds then.
-#[derive(Debug, Clone, Copy)]
-struct Block {
-    /// Seconds at full speed, above 0.
-    nominal: f64,
-    /// Of the axes at full speed, mm/s and rad/s.
-    speeds: [f64; 5],
-    /// How fast the share of the full speed may change, 1/s.
-    acceleration: f64,
-}
-
-impl Block {
-    fn of(axes: &[Axis], pair: &[AxisMove]) -> Option<Self> {
-        let [from, to] = pair else { return None };
-        let nominal = to.seconds;
-        if nominal <= 0.0 {
-            return None;
-        }
-        let (a, b) = (from.at.all(), to.at.all());
-        let speeds: [f64; 5] = std::array::from_fn(|k| (b[k] - a[k]) / nominal);
-        let least = |least: f64, (axis, speed): (&Axis, &f64)| least.min(axis.acceleration / speed.abs());
-        let acceleration = axes.iter().zip(&speeds).fold(f64::INFINITY, least);
-        Some(Self { nominal, speeds, acceleration })
-    }
-
-    /// The time from a share of the full speed to another, speeding up to the full speed between if there is room.
-    fn seconds(&self, from: f64, to: f64) -> f64 {
-        let a = self.acceleration;
-        if a.is_infinite() {
-            return self.nominal;
-        }
-        // Up to the peak and down again takes (2 peak² − from² − to²) / 2a of the way.
-        let peak = (0.5 * (2.0 * a * self.nominal + from * from + to * to)).sqrt().clamp(from.max(to), 1.0);
-        let ramps = (2.0 * peak * peak - from * from - to * to) / (2.0 * a);
-        (2.0 * peak - from - to) / a + (self.nominal - ramps).max(0.0) / peak
-    }
-}
-
 /// The share of the full speed at both ends of every block.
 fn corners(axes: &[Axis], blocks: &[Block], smoothing: f64) -> Vec<f64> {
     let mut shares = vec![0.0; blocks.len() + 1];
-    for (k, pair) in blocks.windows(2).enumerate() {
-        shares[k + 1] = turning(axes, &pair[0], &pair[1], smoothing);
+    for (k, share) in shares.iter_mut().enumerate().take(blocks.len()).skip(1) {
+        *share = turning(axes, blocks.split_at(k), smoothing);
     }
     // What the blocks after it let it slow down from, and what those before it let it come to.
     for k in (0..blocks.len()).rev() {
@@ -127,20 +98,39 @@ fn corners(axes: &[Axis], blocks: &[Block], smoothing: f64) -> Vec<f64> {
     shares
 }
 
-/// The greatest share of the full speed, up to 1, at which the axes can turn from one block into the next.
+/// The greatest share of the full speed, up to 1, at which the axes can turn from the blocks before a corner into those after it.
 ///
-/// An axis whose speed jumps by Δv is accelerated by Δv over the moving average; where blocks are shorter than that, several jumps fall into
-/// it, and the acceleration is that of a curve, Δv over the mean of both blocks' times. At the share s the jump is s Δv and the times are 1/s as
-/// long.
-fn turning(axes: &[Axis], before: &Block, after: &Block, smoothing: f64) -> f64 {
-    let time = 0.5 * (before.nominal + after.nominal);
+/// After the moving average an axis is accelerated by the change of its speed over τ. At the share s what lies within τ is what full speed goes
+/// through in s τ, and the change is s times as much: a corner by itself is passed at s Δv = a τ, and a curve of the acceleration a' at s² a' = a,
+/// in however many corners it is stated. So s Δv(s τ) ≤ a τ, where Δv is the largest change from some time before the corner to as long
+/// after it, up to s τ apart: what turns back within τ counts too.
+fn turning(axes: &[Axis], (before, after): (&[Block], &[Block]), smoothing: f64) -> f64 {
+    /// By how much longer the next time is that is looked at: speeds change little meanwhile.
+    const NEXT: f64 = 1.1;
+    let (mut left, mut right) = (before.len() - 1, 0);
     let mut share = 1.0f64;
-    for (k, axis) in axes.iter().enumerate() {
-        let jump = (after.speeds[k] - before.speeds[k]).abs();
-        if jump > 0.0 {
-            let alone = axis.acceleration * smoothing / jump;
-            let curve = (axis.acceleration * time / jump).sqrt();
-            share = share.min(alone).min(curve);
+    let mut ends = [before[left].nominal, after[0].nominal];
+    let (mut time, mut look) = (0.0, 0.0);
+    while time < 0.5 * share * smoothing || time == 0.0 {
+        if time >= look {
+            for (k, axis) in axes.iter().enumerate() {
+                let jump = (after[right].speeds[k] - before[left].speeds[k]).abs();
+                if share * jump > axis.acceleration * smoothing {
+                    share = (axis.acceleration * smoothing / jump).max(2.0 * time / smoothing);
+                }
+            }
+            look = NEXT * time;
+        }
+        time = ends[0].min(ends[1]);
+        if ends[0] <= time {
+            let Some(next) = left.checked_sub(1) else { break };
+            left = next;
+            ends[0] += before[left].nominal;
+        }
+        if ends[1] <= time {
+            right += 1;
+            let Some(next) = after.get(right) else { break };
+            ends[1] += next.nominal;
         }
     }
     share

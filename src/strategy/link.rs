@@ -12,6 +12,8 @@ pub struct Linking {
     pub cut_feed: f64,
     /// Feed of the last stretch down to a pass, mm/min.
     pub plunge_feed: f64,
+    /// How fast the machine goes in rapid, mm/min, by which orders are compared.
+    pub rapid: f64,
     /// How far the cutter lifts along its axis before it crosses to the next pass, mm.
     pub lift: f64,
     /// How far above its tip the cutter may meet the part, mm: what counts when the axis swings.
@@ -20,6 +22,33 @@ pub struct Linking {
     pub clearance: f64,
     /// Height of what the part stands on, mm, if it stands on anything: links stay above it.
     pub fixture: Option<f64>,
+}
+
+impl Linking {
+    /// The way across from above one location to above another, mm, if it is short enough for that lift, mm, and the axis swings little.
+    fn across(&self, from: &ClPoint, to: &ClPoint, lift: f64) -> Option<f64> {
+        let across = raised(*from, lift).tip.distance(raised(*to, lift).tip);
+        // A long way is faster in rapid around the part than at feed over it.
+        (from.axis.dot(to.axis) >= LEAST_COSINE && across <= 10.0 * lift).then_some(across)
+    }
+
+    /// Time of a link near the part with nothing in its way, up to the last stretch down, min, if there is one.
+    pub(super) fn near(&self, from: &ClPoint, to: &ClPoint) -> Option<f64> {
+        let time = |times: f64| {
+            let across = self.across(from, to, times * self.lift)?;
+            Some(((2.0 * times - 1.0) * self.lift + across) / self.cut_feed)
+        };
+        LIFTS.into_iter().find_map(time)
+    }
+}
+
+/// Time of the links of `path`, min.
+pub fn link_time(path: &Toolpath, how: &Linking) -> f64 {
+    let time = |pair: &[Move]| {
+        let feed = if let Rate::Feed(feed) = pair[1].rate { feed } else { how.rapid };
+        if pair[1].role == Role::Link { pair[0].to.tip.distance(pair[1].to.tip) / feed } else { 0.0 }
+    };
+    path.moves.windows(2).map(time).sum()
 }
 
 /// Cutter and holder as cylinders around the axis.
@@ -132,7 +161,7 @@ impl Refuge {
     }
 
     /// Where the cutter enters the refuge, retracting from `cl` along its axis.
-    fn exit(&self, cl: ClPoint) -> ClPoint {
+    pub(super) fn exit(&self, cl: ClPoint) -> ClPoint {
         match *self {
             Self::Outside { center, radius, .. } => {
                 let v = cl.tip - center;
@@ -141,6 +170,14 @@ impl Refuge {
                 raised(cl, (-along + (along * along + beyond).max(0.0).sqrt()).max(0.0))
             }
             Self::Above(height) => raised(cl, ((height - cl.tip.z) / cl.axis.z).max(0.0)),
+        }
+    }
+
+    /// How long the way is between two places where the refuge begins, mm, where it does not go over the top.
+    pub(super) fn around_by(&self, a: DVec3, b: DVec3) -> f64 {
+        match *self {
+            Self::Outside { center, radius, .. } => radius * (a - center).angle_between(b - center),
+            Self::Above(_) => a.distance(b),
         }
     }
 
@@ -228,13 +265,9 @@ impl Linker<'_> {
     fn cross(&mut self, from: ClPoint, to: ClPoint, is_clear: &IsClear) {
         for lift in LIFTS.map(|times| times * self.how.lift) {
             let (above, over) = (raised(from, lift), raised(to, lift));
-            // A long way is faster in rapid around the part than at feed over it.
-            let swings = above.axis.dot(over.axis) < LEAST_COSINE;
-            if swings || above.tip.distance(over.tip) > 10.0 * lift {
-                continue;
-            }
+            let Some(across) = self.how.across(&from, &to, lift) else { continue };
             let swing = above.axis.angle_between(over.axis) * self.how.lever;
-            let looks = ((above.tip.distance(over.tip) + swing) / LOOK).ceil().max(1.0);
+            let looks = ((across + swing) / LOOK).ceil().max(1.0);
             let clear = |k: usize| is_clear(&between(above, over, k as f64 / looks));
             if (0..=looks as usize).all(clear) {
                 self.push(above, Rate::Feed(self.how.cut_feed), Role::Link);

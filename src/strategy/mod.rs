@@ -23,6 +23,7 @@ mod probe;
 mod raster;
 mod run_out;
 mod setup;
+mod shorten;
 mod spacing;
 mod trim;
 mod unreached;
@@ -34,8 +35,9 @@ pub use finish::{Finish, Order, Planned, StrategyError};
 pub use flow::flow;
 pub use iso_parametric::iso_parametric;
 pub use iso_planar::iso_planar;
-pub use link::{IsClear, LOOK, Linked, Linking, Outline, Refuge, link};
+pub use link::{IsClear, LOOK, Linked, Linking, Outline, Refuge, link, link_time};
 pub use order::{Side, nearest_next, one_sided};
 #[cfg(feature = "study")]
 pub use potential::Potential;
 pub use raster::{Raster, RasterError, RasterOptions, raster};
+pub use shorten::shortened;

@@ -97,7 +97,7 @@ fn is_on(before: &Pass, after: &Pass, side: Side) -> bool {
 }
 
 /// The pass cut the other way: feed and left change sign, and with them the yaw, so that the axis stays.
-fn reversed(mut pass: Pass) -> Pass {
+pub(super) fn reversed(mut pass: Pass) -> Pass {
     pass.stations.reverse();
     for station in &mut pass.stations {
         let Frame { f, b, n } = station.cc.frame;

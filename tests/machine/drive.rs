@@ -3,7 +3,7 @@
 use crate::examples::{all, example, five_axis};
 use glam::DVec3;
 use proptest::prelude::*;
-use stepover::machine::{AxisPath, Control, Following, Kinematics, Machine, MotionError, drive};
+use stepover::machine::{AxisPath, Control, Following, Kinematics, Machine, MotionError, Touching, drive};
 use stepover::toolpath::{ClPoint, Move, Rate, Role, Toolpath};
 
 const CUT: (Rate, Role) = (Rate::Feed(2000.0), Role::Cut);
@@ -45,11 +45,17 @@ fn assert_follows(kinematics: &Kinematics, path: &Toolpath, axes: &AxisPath, how
                 assert!(position >= low - 1e-9 && position <= high + 1e-9, "{} at {position}", axis.letter);
             }
             let pose = kinematics.pose(&at);
-            let way = b.to.tip - a.to.tip;
-            let share = (pose.tip - a.to.tip).dot(way) / way.length_squared();
-            let nearest = if share > 0.0 { a.to.tip + share.min(1.0) * way } else { a.to.tip };
+            // Off the path's own line, and not off that between both places.
+            let [from, to] = if b.turns_over || b.source == 0 {
+                [a.to.tip, b.to.tip]
+            } else {
+                [path.moves[b.source - 1].to.tip, path.moves[b.source].to.tip]
+            };
+            let way = to - from;
+            let share = (pose.tip - from).dot(way) / way.length_squared();
+            let nearest = if share > 0.0 { from + share.min(1.0) * way } else { from };
             let off = pose.tip.distance(nearest);
-            assert!(off < 1.01 * tolerance.chord + 1e-9, "the tip is off by {off} between {a:?} and {b:?}");
+            assert!(off < 1.05 * tolerance.chord + 1e-9, "the tip is off by {off} between {a:?} and {b:?}");
             if b.rate != Rate::Rapid {
                 let (from, to) = (&path.moves[b.source - 1].to, &path.moves[b.source].to);
                 let nearest = (0..=400)
@@ -167,7 +173,7 @@ fn an_upright_stretch_turns_the_free_axis_on_its_way() {
         let whole = (upright[20] - upright[0]).abs().to_degrees();
         assert!((whole - 90.0 * 20.0 / 22.0).abs() < 0.01, "{name}: {whole}°");
         // The tip never stands still while C turns.
-        assert!(axes.moves.windows(2).all(|w| w[0].to.tip.distance(w[1].to.tip) > 1e-3), "{name}");
+        assert!(axes.moves.windows(2).all(|w| w[0].to.tip.distance(w[1].to.tip) > 1e-4), "{name}");
     }
 }
 
@@ -176,9 +182,10 @@ fn feed_is_that_of_the_contact_where_it_is_known() {
     let cut = |k: u32| (pose(DVec3::new(f64::from(k), 0.0, 20.0), 5.0, 0.0), CUT);
     let path = path((0..10).map(cut));
     // The contact goes twice as far as the tip, as on the outside of a bend.
-    let contacts: Vec<_> = path.moves.iter().map(|m| Some(2.0 * m.to.tip)).collect();
+    let touch = |m: &Move| Some(Touching { point: 2.0 * m.to.tip, normal: DVec3::Z });
+    let contacts: Vec<_> = path.moves.iter().map(touch).collect();
     let kinematics = Kinematics::new(&example("head_head_ac"), 120.0).unwrap();
-    let seconds = |contacts: &[Option<DVec3>]| -> f64 {
+    let seconds = |contacts: &[Option<Touching>]| -> f64 {
         let axes = drive(&kinematics, &path, contacts, &Following::new(Control::Axes)).unwrap();
         axes.moves.iter().map(|m| m.seconds).sum()
     };

@@ -4,6 +4,7 @@ mod bad;
 mod cut;
 mod jobs;
 mod lens;
+mod machine;
 mod nose;
 mod sags;
 mod support;

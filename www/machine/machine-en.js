@@ -48,7 +48,7 @@ export default {
   'field.holding.turn_x_deg': 'Part turned about x',
   'field.holding.turn_y_deg': 'then about y',
   'field.holding.turn_z_deg': 'then about z',
-  'field.following.chord_mm': 'Tip from its line',
+  'field.following.chord_mm': 'Contact from its way',
   'field.following.axis_deg': 'Axis from its own',
   'field.following.turn_deg': 'Turn in a block',
   'field.following.pole': 'At the pole',
@@ -59,6 +59,8 @@ export default {
   'field.cutting.most_rpm': 'Spindle’s most',
   'field.cutting.allowance_mm': 'Allowance cut off',
   'help.holding.tool': 'Usual is half of the longest tool that the machine takes.',
+  'help.following.chord_mm':
+    'How far the contact may go across the surface between cutter locations. At 0.00005 mm excess and gouge stay as planned to 0.1 µm.',
   'help.following.pole':
     'Where the tool points along the first rotary axis, that axis swings round: slowly through inserted points, not at all if the tool may deviate, or steadily if it is tilted aside about its contact.',
   'help.cutting.speeds':

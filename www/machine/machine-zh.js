@@ -48,7 +48,7 @@ export default {
   'field.holding.turn_x_deg': '工件绕 x 转',
   'field.holding.turn_y_deg': '再绕 y 转',
   'field.holding.turn_z_deg': '再绕 z 转',
-  'field.following.chord_mm': '刀尖偏离直线',
+  'field.following.chord_mm': '接触点偏差',
   'field.following.axis_deg': '刀轴偏差',
   'field.following.turn_deg': '每段最大转角',
   'field.following.pole': '奇异点处',
@@ -59,6 +59,8 @@ export default {
   'field.cutting.most_rpm': '主轴最高转速',
   'field.cutting.allowance_mm': '切除余量',
   'help.holding.tool': '“通常”取机床最长刀具的一半。',
+  'help.following.chord_mm':
+    '刀位点之间接触点允许偏离曲面的距离。取 0.00005 mm 时，残高与过切与规划值相差不超过 0.1 µm。',
   'help.following.pole':
     '刀具指向第一旋转轴时该轴会急转：插入点可慢慢转过；允许偏差则不转；绕接触点侧倾则平稳转过。',
   'help.cutting.speeds': '涂层硬质合金精加工的一般数值；各厂商的表相差一半以上。',

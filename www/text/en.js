@@ -122,7 +122,8 @@ export default {
   'help.tolerance.safety': 'Passes are planned for this share of the height; the proof judges by all of it.',
   'help.tolerance.chord_mm': 'How far a straight move may leave the surface.',
   'help.feeds.rapid_mm_per_min': 'Only for the time in the result.',
-  'help.holder.shape': 'Postures and links keep it clear of the part; where no posture does, the place is left and told.',
+  'help.holder.shape':
+    'Postures and links keep it clear of the part; where no posture does, the place is left and told.',
 
   'chart.open': 'Stepover and tilt…',
   'chart.title': 'Stepover and tilt',

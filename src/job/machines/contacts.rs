@@ -1,7 +1,8 @@
 //! Where a path touches the part, from the table that comes with it.
 
 use crate::job::error::JobError;
-use crate::toolpath::Toolpath;
+use crate::machine::Touching;
+use crate::toolpath::{ClPoint, Move, Toolpath};
 use glam::DVec3;
 
 /// Where the cutter touches at the end of a move, and how it leans there.
@@ -61,4 +62,16 @@ pub fn contacts(table: &str, path: &Toolpath) -> Result<Vec<Option<Contact>>, Jo
         return Err(wrong(found.len() + 1, &why));
     }
     Ok(found)
+}
+
+/// The contacts of the moves of `path` with the normals of the surface, which follow from how the tool leans there.
+pub(super) fn touching(path: &Toolpath, contacts: &[Option<Contact>]) -> Vec<Option<Touching>> {
+    let touch = |(step, contact): (&Move, &Option<Contact>)| {
+        let (Contact { point, lead }, ClPoint { tip, axis }) = ((*contact)?, step.to);
+        let (sine, cosine) = libm::sincos(lead);
+        // Upright there is no direction to lean to, and none is needed.
+        let out = (point - tip) - axis * (point - tip).dot(axis);
+        Some(Touching { point, normal: cosine * axis - sine * out.normalize_or_zero() })
+    };
+    path.moves.iter().zip(contacts).map(touch).collect()
 }

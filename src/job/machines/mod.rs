@@ -3,6 +3,8 @@
 mod aside;
 mod contacts;
 mod cutting;
+#[cfg(feature = "turning")]
+mod lathe;
 mod note;
 mod placement;
 mod post;
@@ -17,6 +19,8 @@ mod timeline;
 
 pub use contacts::{Contact, contacts};
 pub use cutting::{Choice, Cutting, MATERIALS, Material, clearing_lead, least_diameter};
+#[cfg(feature = "turning")]
+pub use lathe::{Lathe, lathe};
 pub use note::{Matter, Note, notes};
 pub use placement::Placement;
 pub use post::{Pole, PostOptions, Posted, post, post_program};

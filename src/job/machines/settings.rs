@@ -71,8 +71,8 @@ pub const POST_GROUPS: &[Group] = &[
         path: "following",
         variants: &[],
         fields: &[
-            number("chord_mm", "mm", [1e-5, 1.0], 0.001, 0.001),
-            number("axis_deg", "°", [1e-4, 5.0], 0.005, 0.005),
+            number("chord_mm", "mm", [1e-5, 1.0], 0.00005, 0.00005),
+            number("axis_deg", "°", [1e-4, 5.0], 0.001, 0.002),
             number("turn_deg", "°", [0.1, 5.7], 0.5, 5.7),
             choice("pole", &["insert", "deviate", "aside"], "insert"),
             number("pole_deg", "°", [0.01, 5.0], 0.05, 0.2).when("pole", &["deviate", "aside"]),

@@ -69,22 +69,27 @@ enum AxisSpec {
 ///
 /// Errors name the line and column where the text is no JSON, and else the field, that of an axis as `axes.C.point_mm`.
 pub fn machine(json: &str) -> Result<Machine, JobError> {
+    let machine = described(json)?;
+    machine.check().map_err(|error| stated(&machine, error))?;
+    Ok(machine)
+}
+
+/// What a JSON text describes, be it a machine or not.
+pub(super) fn described(json: &str) -> Result<Machine, JobError> {
     let spec: MachineSpec = serde_json::from_str(json).map_err(|e| JobError::Import(e.to_string()))?;
     if spec.version != MACHINE_VERSION {
         let message =
             format!("must be {MACHINE_VERSION}, the version that is read here, not {}", spec.version);
         return Err(JobError::field("version", message));
     }
-    let machine = Machine {
+    Ok(Machine {
         name: spec.name,
         axes: spec.axes.into_iter().enumerate().map(axis).collect::<Result<_, _>>()?,
         tool_axis: spec.tool.axis.into(),
         gauge: spec.tool.gauge_mm.into(),
         longest_tool: spec.tool.longest_mm,
         workpiece_zero: spec.workpiece_zero_mm.into(),
-    };
-    machine.check().map_err(|error| stated(&machine, error))?;
-    Ok(machine)
+    })
 }
 
 fn axis((index, value): (usize, Value)) -> Result<Axis, JobError> {
@@ -135,7 +140,7 @@ fn axis((index, value): (usize, Value)) -> Result<Axis, JobError> {
 }
 
 /// The error with the field's name as the file has it, unit and all.
-fn stated(machine: &Machine, error: MachineError) -> JobError {
+pub(super) fn stated(machine: &Machine, error: MachineError) -> JobError {
     let mut parts = error.field.rsplitn(2, '.');
     let (last, before) = (parts.next().unwrap_or_default(), parts.next());
     let letter = before.and_then(|before| before.strip_prefix("axes."));

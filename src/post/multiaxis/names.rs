@@ -34,7 +34,7 @@ impl Names {
             .collect();
         rotary.sort();
         let mut all = String::new();
-        words.push(&mut all, &words.numbers(first), None);
+        words.push(&mut all, &words.numbers(first.to.tip, first), None);
         let top = kinematics.axes()[2].limits.map_or(0.0, |[_, high]| high);
         let part = plain_line(program.part);
         let file: String = part.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();

@@ -48,7 +48,7 @@ pub fn write(program: &MachineProgram, dialect: Dialect, layout: &Layout) -> Res
     blocks.lines(format.opening, &names);
     let mut marker = Marker::default();
     blocks.lines(format.approach, &names);
-    blocks.at = blocks.words.numbers(first);
+    blocks.at = blocks.words.numbers(first.to.tip, first);
     blocks.motion = "G0";
     blocks.remark(marker.before(first.role));
     for pair in moves.windows(2) {
@@ -129,7 +129,7 @@ impl<'a> Blocks<'a> {
 
     /// A block to the end of a move.
     fn go(&mut self, from: &AxisMove, to: &AxisMove) {
-        let numbers = self.words.numbers(to);
+        let numbers = self.words.numbers(from.to.tip, to);
         if self.format.control == Control::Vector && numbers == self.at && !to.is_end {
             // The rotary axes turn over without a motion of the tool on the workpiece; the control does so by itself.
             return;
