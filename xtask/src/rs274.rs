@@ -74,7 +74,10 @@ pub fn run() -> Result<Outcome> {
         files.retain(|file| file.extension().is_some_and(|end| end == "json"));
         files.sort();
         for machine in files {
-            if part != "flat" && machine.ends_with("three_axis.json") {
+            // A mill with three axes takes what is flat, and a lathe nothing that is milled.
+            let is_for_others =
+                machine.ends_with("lathe_xzc.json") || part != "flat" && machine.ends_with("three_axis.json");
+            if is_for_others {
                 continue;
             }
             if runs(&folder, &apt, &machine)? {
