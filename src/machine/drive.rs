@@ -94,7 +94,7 @@ impl Driver<'_> {
         let &Leg { step, source, length, keeps_axis, touching, .. } = &leg;
         let end = self.kinematics.at(step.to.tip, rotary);
         let Some(last) = self.path.moves.last() else {
-            return self.push(&leg, Place::new(1.0, end), 0.0);
+            return self.push(&leg, Place::new(1.0, end, step.to), 0.0);
         };
         let (tolerance, pole) = match step.rate {
             Rate::Rapid => (self.how.rapid, 0.0),
@@ -110,7 +110,7 @@ impl Driver<'_> {
             return Err(MotionError::Jump { index: source, point: step.to.tip });
         }
         let mut before = 0.0;
-        for &place in room.places.iter().chain([&Place::new(1.0, end)]) {
+        for &place in room.places.iter().chain([&Place::new(1.0, end, step.to)]) {
             self.push(&leg, place, (place.share - before) * length)?;
             before = place.share;
         }
@@ -120,9 +120,8 @@ impl Driver<'_> {
 
     fn push(&mut self, leg: &Leg, place: Place, length: f64) -> Result<(), MotionError> {
         let &Leg { step, source, .. } = leg;
-        let is_end = place.share == 1.0;
         // At the end the tool stands as the path says, but for the rounding of the rotary axes.
-        let to = if is_end { step.to } else { self.kinematics.pose(&place.at) };
+        let (is_end, to) = (place.share == 1.0, place.to);
         let mut axes = self.kinematics.axes().iter().zip(place.at.all());
         if let Some((axis, position)) = axes.find(|(axis, position)| !axis.holds(*position)) {
             return Err(MotionError::limit(source, to.tip, axis, position));

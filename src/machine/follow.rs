@@ -28,15 +28,27 @@ pub(super) struct Place {
     pub(super) share: f64,
     /// Where the axes stand there.
     pub(super) at: Position,
+    /// Where the tool then is.
+    pub(super) to: ClPoint,
     /// How far the tip stands off the move's straight line, to the other side of where the pieces bow to, mm.
     off: DVec3,
 }
 
 impl Place {
     /// On the move's line.
-    pub(super) fn new(share: f64, at: Position) -> Self {
-        Self { share, at, off: DVec3::ZERO }
+    pub(super) fn new(share: f64, at: Position, to: ClPoint) -> Self {
+        Self { share, at, to, off: DVec3::ZERO }
     }
+}
+
+/// The end of a piece.
+#[derive(Debug, Clone, Copy)]
+struct Left {
+    end: Place,
+    /// How often it was divided.
+    divided: u32,
+    /// Whether it was divided into so many that it keeps the tolerance for sure.
+    is_sure: bool,
 }
 
 /// What following needs room for, kept from move to move.
@@ -44,8 +56,8 @@ impl Place {
 pub(super) struct Room {
     /// What was found: the places of the move in their order.
     pub(super) places: Vec<Place>,
-    /// Ends of pieces that are still to be looked at, the nearest last, with how often each was divided.
-    left: Vec<(Place, u32)>,
+    /// Ends of pieces that are still to be gone to, the nearest last.
+    left: Vec<Left>,
 }
 
 /// Follows straight moves of tip and axis.
@@ -83,10 +95,10 @@ impl Follower<'_> {
         if self.control == Control::Vector {
             return true;
         }
-        left.push((Place::new(1.0, end), 0));
-        let mut begin = Place::new(0.0, start);
-        while let Some(&(piece_end, divided)) = left.last() {
-            let pieces = self.look(line, [&begin, &piece_end]);
+        left.push(Left { end: Place::new(1.0, end, *line.to), divided: 0, is_sure: false });
+        let mut begin = Place::new(0.0, start, *line.from);
+        while let Some(&Left { end: piece_end, divided, is_sure }) = left.last() {
+            let pieces = if is_sure { Pieces::ONE } else { self.look(line, [&begin, &piece_end]) };
             if pieces.count < 2 {
                 left.pop();
                 if !left.is_empty() {
@@ -98,12 +110,13 @@ impl Follower<'_> {
             if divided == MOST_DIVIDED {
                 return false;
             }
+            let (divided, is_sure) = (divided + 1, pieces.is_sure);
             if let Some(last) = left.last_mut() {
-                last.1 += 1;
+                *last = Left { divided, is_sure, ..*last };
             }
             for k in (1..pieces.count).rev() {
                 match self.place(line, [&begin, &piece_end], &pieces, k) {
-                    Some(place) => left.push((place, divided + 1)),
+                    Some(end) => left.push(Left { end, divided, is_sure }),
                     None => return false,
                 }
             }
@@ -144,17 +157,20 @@ impl Follower<'_> {
         };
         if turn > LARGEST_TURN.min(self.largest_turn.max(self.step)) {
             // Far from a parabola nothing is known of how often to divide.
-            return Pieces { count: 2, anew, bow: DVec3::ZERO };
+            return Pieces { count: 2, anew, ..Pieces::ONE };
         }
         if !strays && over <= 1.0 {
-            return Pieces { count: 1, anew, bow: DVec3::ZERO };
+            return Pieces::ONE;
         }
+        // A bow is that of a parabola as far as the tolerance knows, but for what axes do beside a pole.
+        let is_far = self.kinematics.pole().is_none_or(|pole| pole.cross(middle.axis).length() > FAR);
+        let is_sure = is_far && anew != Anew::Always;
         if begin.off == DVec3::ZERO && end.off == DVec3::ZERO {
             let count = even(((0.5 * over).sqrt() + SHORTER).max(lean.sqrt()));
             let share = 1.0 / (count as f64 - SHORTER);
-            return Pieces { count, anew, bow: off * (share * share) };
+            return Pieces { count, anew, is_sure, bow: off * (share * share) };
         }
-        Pieces { count: even(over.max(lean).sqrt()), anew, bow: DVec3::ZERO }
+        Pieces { count: even(over.max(lean).sqrt()), anew, is_sure, bow: DVec3::ZERO }
     }
 
     /// How far the axis may be from `asked`.
@@ -182,7 +198,8 @@ impl Follower<'_> {
         }
         let rotary = rotary.map(|angle| (angle / self.step).round() * self.step);
         let off = -0.5 * bow;
-        Some(Place { share, at: self.kinematics.at(pose.tip + off, rotary), off })
+        let (at, to) = self.kinematics.standing(pose.tip + off, rotary);
+        Some(Place { share, at, to, off })
     }
 
     /// The solution for `pose` that is nearest to `rotary`.
@@ -201,8 +218,14 @@ struct Pieces {
     count: usize,
     /// Whether the rotary axes between them are found for the move's own axis.
     anew: Anew,
+    /// Whether each of them keeps it then for sure.
+    is_sure: bool,
     /// How far each piece bows, mm, if their ends shall stand to the other side by half of it.
     bow: DVec3,
+}
+
+impl Pieces {
+    const ONE: Self = Self { count: 1, anew: Anew::Never, is_sure: false, bow: DVec3::ZERO };
 }
 
 /// Whether rotary axes are found for an axis, or stand at their shares between the ends.
@@ -220,6 +243,8 @@ enum Anew {
 const SHORTER: f64 = 0.292;
 /// The share of its tolerance beyond which the axis is found anew in places that are inserted for the tip.
 const ANEW: f64 = 0.1;
+/// The angle from the pole, radians, from which on a piece within [`LARGEST_TURN`] bows like a parabola.
+const FAR: f64 = 0.1;
 /// How many pieces: at least two, and no more than what a thousandth of a millimetre in a kilometre would ask for.
 fn even(pieces: f64) -> usize {
     (pieces.ceil() as usize).clamp(2, 1000)

@@ -135,8 +135,14 @@ impl Kinematics {
 
     /// X, Y and Z that bring the tip to `tip` on the workpiece with the rotary axes where they are.
     pub fn linear(&self, tip: DVec3, rotary: [f64; 2]) -> DVec3 {
+        self.standing(tip, rotary).0.linear
+    }
+
+    /// [`Kinematics::at`], and where the tool then stands.
+    pub(super) fn standing(&self, tip: DVec3, rotary: [f64; 2]) -> (Position, ClPoint) {
         let turns = self.turns(rotary);
-        self.columns(&turns).inverse() * (tip + self.workpiece_zero - self.hanging(&turns))
+        let linear = self.columns(&turns).inverse() * (tip + self.workpiece_zero - self.hanging(&turns));
+        (Position { linear, rotary }, ClPoint { tip, axis: turns[1] * self.tool_axis })
     }
 
     /// All axes that bring the tip to `tip` with the rotary axes where they are.
