@@ -87,18 +87,18 @@ impl FaceObstacle {
         deepest
     }
 
-    /// Whether the cutter at `cl` certainly touches the face nowhere: it also says no where it only comes nearer than
-    /// the face may bulge between samples, hundredths of a millimetre.
-    pub fn clears(&self, cutter: &Cutter, cl: &ClPoint) -> bool {
-        let body = Body::new(cutter, cl);
-        self.nearer(&body, self.margin(cutter)).next().is_none()
+    /// Whether the cutter at `cl`, larger by `more` (mm) to every side, certainly touches the face nowhere: it also says no where it
+    /// only comes nearer than the face may bulge between samples, hundredths of a millimetre.
+    pub fn clears(&self, cutter: &Cutter, cl: &ClPoint, more: f64) -> bool {
+        let stout = Cutter { corner_radius: cutter.corner_radius + more, ..*cutter };
+        let body = Body::new(&stout, cl);
+        self.nearer(&body, self.margin(&stout)).next().is_none()
     }
 
-    /// [`FaceObstacle::clears`] for what holds the cutter at `cl`, larger by `more` (mm) to every side.
+    /// [`FaceObstacle::clears`] for what holds the cutter at `cl`.
     pub fn clears_holder(&self, holder: &Holder, cl: &ClPoint, more: f64) -> bool {
         let (solid, up) = holder.solid();
-        let stout = Cutter { corner_radius: solid.corner_radius + more, ..solid };
-        self.clears(&stout, &ClPoint { tip: cl.tip + up * cl.axis, axis: cl.axis })
+        self.clears(&solid, &ClPoint { tip: cl.tip + up * cl.axis, axis: cl.axis }, more)
     }
 
     /// The nodes nearer to the cutter than `margin`, and how near; looked for as they are asked for.

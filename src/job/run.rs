@@ -7,7 +7,7 @@ use super::report::{Lengths, Report, Unreachable, Verified, minutes};
 use super::shape::Shape;
 use super::spec::{AlongSpec, OrderSpec, Spec, StrategySpec, VERSION};
 use crate::contact::{DropMesh, FaceObstacle, Underside, is_in_mesh};
-use crate::cutter::{Cutter, Holder, Tool};
+use crate::cutter::{Holder, Tool};
 use crate::geometry::{Along, Face, TriMesh, Zone};
 use crate::monitor::Stage;
 use crate::post::{self, Program};
@@ -225,10 +225,7 @@ fn on_face(
     let mut passes = ordered(planned.passes, order, false);
     let obstacle = FaceObstacle::for_cutter(face, cutter);
     // Each larger by `more`, to either side of it.
-    let clears = |cl: &ClPoint, more: f64| {
-        let stout = Cutter { corner_radius: cutter.corner_radius + more, ..*cutter };
-        obstacle.clears(&stout, cl)
-    };
+    let clears = |cl: &ClPoint, more: f64| obstacle.clears(cutter, cl, more);
     let holder_clears =
         |cl: &ClPoint, more: f64| holder.is_none_or(|holder| obstacle.clears_holder(&holder, cl, more));
     let joining = Joining {

@@ -70,9 +70,9 @@ pub fn flow(
         let most = WORSE * best.expected;
         proposals.retain(|proposal| proposal.expected <= most);
     }
-    let is_open = !face.domain().u.periodic && !face.domain().v.periodic;
-    let mut begun =
-        if is_open { beginnings(&proposals, (&grid, &face.domain()), &potential) } else { Vec::new() };
+    let domain = face.domain();
+    let is_open = !domain.u.periodic && !domain.v.periodic;
+    let mut begun = if is_open { beginnings(&proposals, (&grid, &domain), &potential) } else { Vec::new() };
     sort_by_key(&mut begun, |beginning| (rank(beginning.expected), 0));
     begun.truncate(OFFSET);
     let count = proposals.len() + begun.len();

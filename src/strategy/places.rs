@@ -18,7 +18,7 @@ const BENT: f64 = 0.98;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Patch {
     pub(super) low: Uv,
-    pub(super) high: Uv,
+    high: Uv,
 }
 
 impl Patch {

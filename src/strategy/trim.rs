@@ -219,16 +219,14 @@ impl<'a> Trim<'a> {
     /// For each of `ends` the numbers of the places that moves in its window cut.
     fn sorted_by_end(&self, open: &[Open], ends: &[End], windows: &[Range<usize>]) -> Vec<Vec<usize>> {
         // A move may lie at both ends of a short pass.
-        let mut holders = [Side::First, Side::Last].map(|side| (side, vec![None; self.left.len()]));
-        for (side, holder) in &mut holders {
-            for (i, _) in ends.iter().enumerate().filter(|(_, end)| end.side == *side) {
-                holder[windows[i].clone()].fill(Some(i));
-            }
+        let mut holders = [(); 2].map(|()| vec![None; self.left.len()]);
+        for (i, (end, window)) in ends.iter().zip(windows).enumerate() {
+            holders[usize::from(end.side == Side::Last)][window.clone()].fill(Some(i));
         }
         let mut sorted = vec![Vec::new(); ends.len()];
         for (place, open) in open.iter().enumerate() {
             for &k in &open.cutters {
-                for end in holders.iter().filter_map(|(_, holder)| holder[k]) {
+                for end in holders.iter().filter_map(|holder| holder[k]) {
                     if sorted[end].last() != Some(&place) {
                         sorted[end].push(place);
                     }

@@ -102,23 +102,22 @@ impl Trim<'_> {
     /// Gives back as much of a pass as cuts `top`, and a little more.
     fn lengthen(&mut self, &Way { number, pass, side, .. }: &Way, top: DVec3) {
         let (run, whole) = (self.run(pass), self.moves.all()[number]);
-        let whole_from_inside = |side| match side {
-            Side::First => [whole[1], whole[0]],
-            Side::Last => whole,
-        };
         let Some(side) = side else {
             self.left[number] = Some(whole);
             return;
         };
-        let [a, b] = whole_from_inside(side);
+        let [a, b] = match side {
+            Side::First => [whole[1], whole[0]],
+            Side::Last => whole,
+        };
         let share =
             self.enough(&[a, b], top) + SAFE * self.family.setup.strip / way(&whole).max(f64::MIN_POSITIVE);
         let end = if share < 1.0 { between(&a, &b, share) } else { b };
-        let (between, kept) = match side {
+        let (inside, kept) = match side {
             Side::First => (number + 1..run.start + 1, [end, a]),
             Side::Last => (run.end - 1..number, [a, end]),
         };
-        for k in between {
+        for k in inside {
             self.left[k] = Some(self.moves.all()[k]);
         }
         self.left[number] = Some(kept);
