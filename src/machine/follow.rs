@@ -9,6 +9,8 @@ use glam::DVec3;
 /// The largest turn of an axis in one piece, radians. Within a turn of θ the tip's bow is that of a parabola to about its θ-th part, so
 /// that it is enough to look at its middle, with that part in hand.
 pub(super) const LARGEST_TURN: f64 = 0.1;
+/// By how much of itself a bow may differ between parts of a piece before each of them is looked at.
+const UNEVEN: f64 = 0.02;
 /// How often a piece may be divided: what a thousandth of a millimetre in a kilometre would ask for in halves.
 const MOST_DIVIDED: u32 = 40;
 
@@ -137,8 +139,9 @@ impl Follower<'_> {
         };
         let leaning = if self.keeps_axis { pose.axis - middle.axis } else { DVec3::ZERO };
         let way = (line.to.tip - line.from.tip) * (end.share - begin.share);
+        let strayed = pose.tip - middle.tip;
         let off = match self.control {
-            Control::Axes => across(pose.tip - middle.tip, way),
+            Control::Axes => farthest([begin.off, end.off], across(strayed, way)),
             Control::Tip | Control::Vector => 0.5 * (begin.off + end.off),
         };
         let chord = (1.0 - turn).max(0.5) * self.tolerance.chord;
@@ -146,7 +149,11 @@ impl Follower<'_> {
             Some(touching) => at_contact(&touching, &middle, share, way, [off, leaning], chord),
             None => Stray { off, over: off.length() / chord, lean: 0.0 },
         };
-        let lean = lean.max(leaning.length() / self.allowed(middle.axis));
+        let mut allowed = self.allowed(middle.axis);
+        if leaning.length() > allowed {
+            allowed += self.rounding(line, [begin, end]);
+        }
+        let lean = lean.max(leaning.length() / allowed);
         let strays = lean > 1.0 || self.keeps_axis && turn > LARGEST_TURN && (strays(0.25) || strays(0.75));
         let anew = if strays {
             Anew::Always
@@ -162,9 +169,10 @@ impl Follower<'_> {
         if !strays && over <= 1.0 {
             return Pieces::ONE;
         }
-        // A bow is that of a parabola as far as the tolerance knows, but for what axes do beside a pole.
-        let is_far = self.kinematics.pole().is_none_or(|pole| pole.cross(middle.axis).length() > FAR);
-        let is_sure = is_far && anew != Anew::Always;
+        // Beside the pole axes turn unevenly; and where most of what the tip strays by lies along the move, the rest may be uneven.
+        let sine = || self.kinematics.pole().map_or(1.0, |pole| pole.cross(middle.axis).length());
+        let apart = if self.control == Control::Axes { strayed.length() / off.length() } else { 1.0 };
+        let is_sure = anew != Anew::Always && turn * apart < UNEVEN * sine();
         if begin.off == DVec3::ZERO && end.off == DVec3::ZERO {
             let count = even(((0.5 * over).sqrt() + SHORTER).max(lean.sqrt()));
             let share = 1.0 / (count as f64 - SHORTER);
@@ -177,6 +185,13 @@ impl Follower<'_> {
     fn allowed(&self, asked: DVec3) -> f64 {
         let is_at_pole = || self.kinematics.pole().is_some_and(|pole| pole.cross(asked).length() < self.pole);
         if self.pole > self.tolerance.axis && is_at_pole() { self.pole } else { self.tolerance.axis }
+    }
+
+    /// What rounding its angles adds to how far the axis is off on a piece where the axis asked for stands still. A longer piece was found
+    /// to keep the tolerance, and finding the angles anew would take none of this away.
+    fn rounding(&self, line: &Line, [begin, end]: [&Place; 2]) -> f64 {
+        let asked = line.from.axis.distance(line.to.axis) * (end.share - begin.share);
+        if asked <= self.step { self.step } else { 0.0 }
     }
 
     /// Where one of several pieces ends; nothing if the machine cannot point the tool as asked for.
@@ -211,6 +226,18 @@ impl Follower<'_> {
     }
 }
 
+/// Where a piece is farthest off its line, if its ends are off by `ends`, it is off by `half` half-way, and it bows evenly.
+fn farthest([begin, end]: [DVec3; 2], half: DVec3) -> DVec3 {
+    if begin == DVec3::ZERO && end == DVec3::ZERO {
+        return half;
+    }
+    let bow = half - 0.5 * (begin + end);
+    let quarters = [0.25, 0.75].map(|t| begin.lerp(end, t) + 0.75 * bow);
+    quarters
+        .into_iter()
+        .fold(half, |most, off| if off.length_squared() > most.length_squared() { off } else { most })
+}
+
 /// How a piece is divided.
 #[derive(Debug, Clone, Copy)]
 struct Pieces {
@@ -243,8 +270,6 @@ enum Anew {
 const SHORTER: f64 = 0.292;
 /// The share of its tolerance beyond which the axis is found anew in places that are inserted for the tip.
 const ANEW: f64 = 0.1;
-/// The angle from the pole, radians, from which on a piece within [`LARGEST_TURN`] bows like a parabola.
-const FAR: f64 = 0.1;
 /// How many pieces: at least two, and no more than what a thousandth of a millimetre in a kilometre would ask for.
 fn even(pieces: f64) -> usize {
     (pieces.ceil() as usize).clamp(2, 1000)

@@ -156,7 +156,13 @@ impl Kinematics {
     /// Where the tool points along the first rotary axis that axis is free, and given as 0.
     pub fn inverse(&self, pose: &ClPoint) -> Option<[Position; 2]> {
         let ways = self.ways(pose.axis)?;
-        Some(ways.pairs.map(|rotary| self.at(pose.tip, rotary)))
+        // Once more for what is left: where turns bring two linear axes near to each other, the first answer is not exact.
+        let exactly = |rotary| {
+            let at = self.at(pose.tip, rotary);
+            let left = pose.tip - self.pose(&at).tip;
+            Position { linear: at.linear + self.ways_of_linear(rotary).inverse() * left, rotary }
+        };
+        Some(ways.pairs.map(exactly))
     }
 
     /// Both ways to point the tool along `axis`.
