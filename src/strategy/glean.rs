@@ -68,7 +68,11 @@ impl Family<'_> {
                 if leaves(1.0) { 1 } else { usize::from(leaves(NEARLY)) * CLOSEST }
             };
             let sides = stage.quiet().map(parts.len(), side)?;
-            looks.extend(parts.iter().zip(sides).flat_map(|(part, side)| part.places(side)).map(at(1.0)));
+            let sides = parts.iter().zip(sides);
+            looks.extend(sides.flat_map(|(part, side)| {
+                // So close together they meet the very ridges.
+                part.places(side).map(at(if side > 1 { ON_RIDGE } else { 1.0 }))
+            }));
         }
         let border = self.border();
         let is_high = |[a, b]: [Uv; 2]| moves.leave(a, HIGH * limit) || moves.leave(b, HIGH * limit);
