@@ -13,6 +13,8 @@ const FINER: usize = 4;
 const ALONG: usize = 24;
 /// Where normals across a cell have a lower cosine than this (11°), it bends much.
 const BENT: f64 = 0.98;
+/// And lower than this (37°), it is an edge.
+const FOLDED: f64 = 0.8;
 
 /// A part of a face between two values of either parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -63,24 +65,30 @@ impl Family<'_> {
         let grid = self.lines.grid();
         let ((nu, nv), domain) = (grid.size(), self.setup.face.domain());
         let is_rim = |k: usize, count: usize, periodic: bool| !periodic && (k < RIM || k + 1 + RIM >= count);
-        let normal = |k: usize| self.setup.face.at(grid.uv(k % nu, k / nu)).map(|(_, normal)| normal);
-        let normals: Vec<Option<DVec3>> = (0..nu * nv).map(normal).collect();
-        let is_bent = |i: usize, j: usize| {
-            let [a, b, c, d] = [(0, 0), (1, 1), (1, 0), (0, 1)].map(|(p, q)| normals[(j + q) * nu + i + p]);
-            let turns = |a: Option<DVec3>, b| a.zip(b).is_none_or(|(a, b): (DVec3, _)| a.dot(b) < BENT);
-            turns(a, b) || turns(c, d)
-        };
         let [mut plain, mut close] = [Vec::new(), Vec::new()];
         for (i, j) in (0..nv - 1).flat_map(|j| (0..nu - 1).map(move |i| (i, j))) {
             let cell = Patch::cell(grid, i, j);
             let rim = is_rim(i, nu, domain.u.periodic) || is_rim(j, nv, domain.v.periodic);
-            if rim || is_bent(i, j) {
+            if rim || self.turns(&cell, BENT) {
                 close.extend(cell.parts(FINER));
             } else {
                 plain.push(cell);
             }
         }
         [plain, close]
+    }
+
+    /// Whether normals across a patch have a lower cosine than that.
+    fn turns(&self, patch: &Patch, cosine: f64) -> bool {
+        let [a, b, c, d] = patch.corners().map(|uv| self.setup.face.at(uv).map(|(_, normal)| normal));
+        let turns = |a: Option<DVec3>, b| a.zip(b).is_none_or(|(a, b): (DVec3, _)| a.dot(b) < cosine);
+        turns(a, d) || turns(b, c)
+    }
+
+    /// Parts of a patch that bends much, and parts of those that still do: round the edge of a blade normals turn half about within
+    /// one cell.
+    fn flat_parts(&self, patch: Patch) -> impl Iterator<Item = Patch> {
+        patch.parts(FINER).flat_map(|part| part.parts(if self.turns(&part, BENT) { FINER } else { 1 }))
     }
 
     /// Ends of short pieces of the borders of the face.
@@ -114,7 +122,13 @@ impl Family<'_> {
 
     /// Places in the cell `(i, j)` of the grid, whose sides have so many `parts`, and so many more where they lie on borders.
     pub(super) fn places_in(&self, (i, j): (usize, usize), [parts, border]: [usize; 2]) -> Vec<Uv> {
-        let inside = Patch::cell(self.lines.grid(), i, j).places(parts);
+        let cell = Patch::cell(self.lines.grid(), i, j);
+        let (flat, parts): (Vec<Patch>, _) = if self.turns(&cell, FOLDED) {
+            (self.flat_parts(cell).collect(), parts / 2)
+        } else {
+            (vec![cell], parts)
+        };
+        let inside = flat.into_iter().flat_map(move |part| part.places(parts));
         let sides = self.sides((i, j)).flat_map(|[a, b]| (0..=border).map(move |k| between(a, b, k, border)));
         inside.chain(sides).collect()
     }

@@ -31,7 +31,7 @@ const EDGE: usize = 24;
 /// the whole limit is.
 const SHARE: f64 = 0.9;
 /// What an end keeps beyond what the places need, in strips on flat ground.
-const SAFE: f64 = 0.12;
+const SAFE: f64 = 0.04;
 /// Halvings of the last move that is needed.
 const HALVINGS: usize = 6;
 /// The widest strip that counts, in strips on flat ground.
