@@ -126,7 +126,11 @@ export function createRuns(root, { onCompare, onCancel, onLay, onTake, onClear }
       ...used.map(([, value, told], k) => {
         const number = value(run);
         const isBest = number === best[k] && k < 4;
-        return h('td', { role: 'cell', class: isBest ? 'best' : null }, Number.isFinite(number) ? told(number) : '–');
+        return h(
+          'td',
+          { role: 'cell', class: isBest ? 'best' : null },
+          Number.isFinite(number) ? told(number) : '–',
+        );
       }),
     );
   }
