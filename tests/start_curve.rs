@@ -116,6 +116,19 @@ fn from_points_on_a_line_of_a_parameter_passes_are_those_of_the_line() {
     }
 }
 
+/// Beside the turns of a curve more than the limit was left on spots smaller than an eighth of a strip.
+#[test]
+fn where_a_curve_turns_no_small_spot_is_left() {
+    let mut wave: Value = serde_json::from_str(&job::gallery()[0].spec.to_json()).unwrap();
+    let points = json!([[-25, 0, 0], [-3, 0, 0], [0, 15, 0], [25, 15, 0]]);
+    wave["strategy"] =
+        json!({"kind": "constant_scallop", "start": "curve", "start_points_mm": points, "lead_deg": 15});
+    wave["verify"] = json!({"spacing_mm": 0.25});
+    let (spec, plan) = planned(&wave).unwrap();
+    let excess = plan.prove(&Stage::silent()).unwrap().unwrap().verified.largest_excess_mm.unwrap();
+    assert!(excess <= spec.tolerance.scallop_mm, "{excess}");
+}
+
 #[test]
 fn a_curve_round_a_tube_may_swing() {
     let corner = |k: u32| {

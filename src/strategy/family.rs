@@ -1,6 +1,8 @@
 //! Passes along the level lines of a field, each as far from the last as its strips allow.
 
 use super::fill;
+use super::glean::Look;
+use super::left::Moves;
 use super::placing::too_many;
 use super::probe::{Probe, Reach, Setup};
 use super::spacing::{Front, Toward};
@@ -207,11 +209,16 @@ impl<'a> Family<'a> {
             .flat_map(|&[a, b]| (0..RIDGE).map(move |k| places::between(a, b, k, RIDGE)))
             .collect();
         let (mut is_whole, mut is_trimmed) = (false, false);
+        // Passes that are added leave no more than there was: until some are cut back, only there can there be more.
+        let mut last: Option<Vec<Look>> = None;
         for round in 0..=GLEANINGS {
             let at = |t: f64| 0.65 + 0.35 * (round as f64 + t) / (GLEANINGS + 1) as f64;
             let part = |name, from, to| stage.part(name, at(from), at(to));
-            let left =
-                self.left(passes.iter().flatten(), (others, &ridges), &unreached, &part(FILL, 0.0, 0.4))?;
+            let (all, looking) = (passes.iter().flatten(), part(FILL, 0.0, 0.4));
+            let left = match last.take() {
+                Some(looks) => self.still_left(&looks, &Moves::new(&self.setup, all), &looking)?,
+                None => self.left(all, (others, &ridges), &unreached, &looking)?,
+            };
             is_whole = left.is_empty();
             if round == GLEANINGS || (is_whole && is_trimmed) {
                 break;
@@ -221,9 +228,10 @@ impl<'a> Family<'a> {
                 is_trimmed = true;
                 continue;
             }
-            let short = self.short_lines(left, round, &part(FILL, 0.4, 0.8))?;
+            let short = self.short_lines(&left, round, &part(FILL, 0.4, 0.8))?;
             passes.extend(self.walk(&short, &part("Following the surface", 0.8, 1.0))?);
             tracks.extend(short);
+            last = Some(left);
         }
         let mut by_level: Vec<_> = tracks.iter().map(|track| track.level).zip(passes).collect();
         sort_by_key(&mut by_level, |(level, _)| (rank(*level), 0));

@@ -13,6 +13,10 @@ use glam::DVec3;
 /// Where more than this share of the limit is left, places lie closer together, so many times.
 const HIGH: f64 = 0.4;
 const CLOSER: [usize; 2] = [4, 8];
+/// Where more than this share of it is left at one of those, places about it lie so many times closer together once more: where
+/// curves that bend begin, more than the limit is left on spots smaller than an eighth of a strip.
+const NEARLY: f64 = 0.9;
+const CLOSEST: usize = 3;
 /// The share of the limit that the very ridges of cusps may reach, which strips that meet edge to edge leave at the limit: 1.00
 /// of it, as far as that is written.
 const ON_RIDGE: f64 = 1.004;
@@ -30,6 +34,14 @@ const PASSED: f64 = 0.5;
 /// What each round takes of those distances.
 const NEARER: f64 = 0.5;
 
+/// A place where is looked for what passes leave.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Look {
+    uv: Uv,
+    /// More than this must not be left there, mm.
+    most: f64,
+}
+
 impl Family<'_> {
     /// The places all over the face, and those of `others` and on `ridges`, where `passes` leave more than the limit, outside of
     /// `beyond`.
@@ -39,45 +51,62 @@ impl Family<'_> {
         (others, ridges): (&[Uv], &[Uv]),
         beyond: &Zone,
         stage: &Stage,
-    ) -> Result<Vec<Uv>, Cancelled> {
+    ) -> Result<Vec<Look>, Cancelled> {
         let moves = Moves::new(&self.setup, passes);
         let limit = self.setup.finish.scallop;
+        let at = |share: f64| move |uv: Uv| Look { uv, most: share * limit };
         let [plain, close] = self.patches();
-        let mut places: Vec<Uv> = plain.iter().chain(&close).map(|patch| patch.low).collect();
+        let mut looks: Vec<Look> = plain.iter().chain(&close).map(|patch| at(1.0)(patch.low)).collect();
         // Near what is high already more may be left between the places.
         for patches in [&close, &plain] {
             let is_high = |patch: &Patch| patch.corners().iter().any(|uv| moves.leave(*uv, HIGH * limit));
             let is_high = stage.quiet().map(patches.len(), |k| is_high(&patches[k]))?;
             let high = patches.iter().zip(is_high).filter(|(_, is_high)| *is_high);
-            places.extend(high.flat_map(|(patch, _)| patch.places(CLOSER[0])));
+            let parts: Vec<Patch> = high.flat_map(|(patch, _)| patch.parts(CLOSER[0])).collect();
+            let side = |k: usize| {
+                let leaves = |share: f64| moves.leave(parts[k].middle(), share * limit);
+                if leaves(1.0) { 1 } else { usize::from(leaves(NEARLY)) * CLOSEST }
+            };
+            let sides = stage.quiet().map(parts.len(), side)?;
+            let sides = parts.iter().zip(sides);
+            looks.extend(sides.flat_map(|(part, side)| {
+                // So close together they meet the very ridges.
+                part.places(side).map(at(if side > 1 { ON_RIDGE } else { 1.0 }))
+            }));
         }
         let border = self.border();
         let is_high = |[a, b]: [Uv; 2]| moves.leave(a, HIGH * limit) || moves.leave(b, HIGH * limit);
         let is_high = stage.quiet().map(border.len(), |k| is_high(border[k]))?;
         let high = border.iter().zip(is_high).filter(|(_, is_high)| *is_high);
-        places
-            .extend(high.flat_map(|(&[a, b], _)| (0..=CLOSER[1]).map(move |k| between(a, b, k, CLOSER[1]))));
-        places.extend(others);
+        let along = |&[a, b]: &[Uv; 2]| (0..=CLOSER[1]).map(move |k| between(a, b, k, CLOSER[1]));
+        looks.extend(high.flat_map(|(ends, _)| along(ends)).map(at(1.0)));
+        looks.extend(others.iter().copied().map(at(1.0)));
+        looks.extend(ridges.iter().copied().map(at(ON_RIDGE)));
+        looks.retain(|look| !beyond.contains(self.setup.face.surface.point(look.uv)));
+        self.still_left(&looks, &moves, stage)
+    }
+
+    /// Those of `looks` where as much is left after all `moves` as was looked for.
+    pub(super) fn still_left(
+        &self,
+        looks: &[Look],
+        moves: &Moves,
+        stage: &Stage,
+    ) -> Result<Vec<Look>, Cancelled> {
         // A posture that is chosen may need a little more lead just here, which its pass then takes.
         let is_chosen = !self.setup.postures.is_fixed();
-        let is_left = |uv: Uv, limit: f64| {
-            !beyond.contains(self.setup.face.surface.point(uv))
-                && moves.leave(uv, limit)
-                && (is_chosen || self.setup.probe(uv, false) != Probe::Blocked)
+        let is_left = |Look { uv, most }: Look| {
+            moves.leave(uv, most) && (is_chosen || self.setup.probe(uv, false) != Probe::Blocked)
         };
-        let first_ridge = places.len();
-        places.extend(ridges);
-        let left = stage.map(places.len(), |k| {
-            is_left(places[k], if k < first_ridge { limit } else { ON_RIDGE * limit })
-        })?;
-        Ok(places.iter().zip(left).filter(|(_, left)| *left).map(|(&uv, _)| uv).collect())
+        let left = stage.map(looks.len(), |k| is_left(looks[k]))?;
+        Ok(looks.iter().zip(left).filter(|(_, left)| *left).map(|(&look, _)| look).collect())
     }
 
     /// Short lines, with what the cutter does on them, through the places `left` after so many rounds: what is still there then
     /// was passed too far off, and lines go nearer.
     pub(super) fn short_lines(
         &self,
-        left: Vec<Uv>,
+        left: &[Look],
         round: usize,
         stage: &Stage,
     ) -> Result<Vec<Candidate>, Cancelled> {
@@ -90,9 +119,9 @@ impl Family<'_> {
     }
 
     /// The places in groups, with their points: those that are so near (mm) to one another hang together.
-    fn spots(&self, left: Vec<Uv>, near: f64) -> Vec<Vec<(Uv, DVec3)>> {
+    fn spots(&self, left: &[Look], near: f64) -> Vec<Vec<(Uv, DVec3)>> {
         let mut open: Vec<(Uv, DVec3)> =
-            left.into_iter().map(|uv| (uv, self.setup.face.surface.point(uv))).collect();
+            left.iter().map(|look| (look.uv, self.setup.face.surface.point(look.uv))).collect();
         let mut spots = Vec::new();
         while let Some(first) = open.pop() {
             let mut spot = vec![first];

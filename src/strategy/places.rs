@@ -37,12 +37,12 @@ impl Patch {
         [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)].map(|(u, v)| self.at(u, v))
     }
 
-    fn middle(&self) -> Uv {
+    pub(super) fn middle(&self) -> Uv {
         self.at(0.5, 0.5)
     }
 
     /// As many times as many parts of it.
-    fn parts(self, side: usize) -> impl Iterator<Item = Self> {
+    pub(super) fn parts(self, side: usize) -> impl Iterator<Item = Self> {
         let share = move |k: usize| k as f64 / side as f64;
         (0..side * side).map(move |k| {
             let (i, j) = (k % side, k / side);
