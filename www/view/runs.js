@@ -24,6 +24,9 @@ const COLUMNS = [
   ['gouge', ({ report }) => report.verified?.largest_gouge_mm ?? NaN, format.micron],
 ];
 
+/** Those of which less is better; excess only has to keep within its limit. */
+const RANKED = new Set(['length', 'floor', 'passes', 'time']);
+
 /**
  * @param {HTMLElement} root
  * @param {{ onCompare: () => void, onCancel: () => void, onLay: (id: number) => void, onTake: (draft: Draft) => void,
@@ -123,9 +126,9 @@ export function createRuns(root, { onCompare, onCancel, onLay, onTake, onClear }
       'tr',
       { role: 'row', class: isShown ? 'shown' : null },
       h('th', { scope: 'row', role: 'rowheader' }, h('label', { class: 'lay' }, lay, swatch), take),
-      ...used.map(([, value, told], k) => {
+      ...used.map(([name, value, told], k) => {
         const number = value(run);
-        const isBest = number === best[k] && k < 4;
+        const isBest = RANKED.has(name) && number === best[k] && runsOf(state).length > 1;
         return h(
           'td',
           { role: 'cell', class: isBest ? 'best' : null },
