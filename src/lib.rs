@@ -42,7 +42,7 @@ pub mod cutter;
 pub mod geometry;
 pub mod import;
 pub mod job;
-#[cfg(feature = "machines")]
+#[cfg(feature = "kinematics")]
 pub mod machine;
 pub mod math;
 pub mod monitor;

@@ -3,6 +3,7 @@
 use serde_json::{Value, json};
 use std::num::NonZeroUsize;
 use stepover::job::{self, Plan, Shape, Spec};
+use stepover::math::angle::angle_between;
 use stepover::monitor::{Silent, Stage};
 use stepover::toolpath::{Bound, Role};
 
@@ -23,7 +24,7 @@ fn length(plan: &Plan) -> f64 {
 fn most_turn(plan: &Plan) -> f64 {
     let pairs = plan.emitted.toolpath.moves.windows(2);
     let cuts = pairs.filter(|w| w[1].role == Role::Cut);
-    cuts.map(|w| w[0].to.axis.angle_between(w[1].to.axis)).fold(0.0, f64::max)
+    cuts.map(|w| angle_between(w[0].to.axis, w[1].to.axis)).fold(0.0, f64::max)
 }
 
 /// Excess at most the scallop plus what sampling can miss, gouge at most a micrometre; the median cusp.

@@ -6,6 +6,7 @@ use stepover::contact::{FaceObstacle, model_strip};
 use stepover::cutter::Cutter;
 use stepover::geometry::{Curvature, Cylinder, Face, Field, Jet, NurbsSurface, Plane, Range, Side, Uv};
 use stepover::job::{self, Spec};
+use stepover::math::angle::angle_between;
 use stepover::math::frame::Frame;
 use stepover::monitor::Stage;
 use stepover::posture::{Ground, Limits, PostureField, Rule, choose};
@@ -179,12 +180,12 @@ fn axes_turn_no_faster_than_the_limits() {
             let (a, b, c) = (place(i, j), place(i + 1, j), place(i, j + 1));
             let [(pa, fa), (pb, fb), (pc, _)] = [a, b, c].map(|uv| along_u(&face, uv, false).unwrap());
             let way = pa.p.distance(pb.p);
-            let own = (fa.to_world(local(a))).angle_between(fb.to_world(local(a)));
-            let turn = fa.to_world(local(a)).angle_between(fb.to_world(local(b)));
+            let own = angle_between(fa.to_world(local(a)), fb.to_world(local(a)));
+            let turn = angle_between(fa.to_world(local(a)), fb.to_world(local(b)));
             let allowed = (limits.most_turn[0] * way).max(own + 0.1 * limits.most_turn[0] * way);
             assert!(turn <= slack * allowed + 1e-6, "{turn} {allowed} at {a:?}");
             fastest = fastest.max(turn / way);
-            let across = local(a).angle_between(local(c));
+            let across = angle_between(local(a), local(c));
             let square = libm::hypot(limits.most_turn[0], limits.most_turn[1]);
             assert!(across <= slack * square * pa.p.distance(pc.p) + 1e-6, "{across} at {a:?}");
         }

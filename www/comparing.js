@@ -4,6 +4,7 @@
  * @import { Draft, Outcome, Run, State } from './types.js'
  */
 import { PlannerError } from './protocol.js';
+import { completed } from './spec.js';
 
 /** Runs that are kept, and points of all their paths: these take 44 bytes each. The oldest goes first, unless it is laid over the picture. */
 const MOST_RUNS = 24;
@@ -67,8 +68,11 @@ export function createComparing(state, { onError }) {
         const { report } = await planner.call('prove', [], (_, fraction) =>
           tell({ name, fraction: at(PLANNING + (1 - PLANNING) * fraction) }),
         );
+        const { schema } = state.get();
+        // Spelled out like the job of the form, with which it may be one.
+        const whole = schema ? completed(schema, spec) : spec;
         add(
-          { spec: { ...spec, source: draft.spec.source }, source: draft.source },
+          { spec: { ...whole, source: draft.spec.source }, source: draft.source },
           { ...planned, report },
           floor,
         );

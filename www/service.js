@@ -22,11 +22,24 @@ worker.addEventListener('activate', (/** @type {any} */ event) => {
       return Promise.all(old.map((name) => caches.delete(name)));
     }),
   );
+  // A first visit, too, is kept from here on.
+  event.waitUntil(worker.clients.claim());
 });
 
 worker.addEventListener('message', (/** @type {any} */ event) => {
   if (event.data === 'update') worker.skipWaiting();
+  else if (Array.isArray(event.data)) event.waitUntil(keep(event.data));
 });
+
+/** Keeps what a page was loaded from. @param {string[]} addresses */
+async function keep(addresses) {
+  const cache = await caches.open(NAME);
+  for (const address of addresses) {
+    if (await cache.match(address, { ignoreSearch: true })) continue;
+    // What is gone already was not needed.
+    await cache.add(address).catch(() => {});
+  }
+}
 
 worker.addEventListener('fetch', (/** @type {any} */ event) => {
   if (event.request.method !== 'GET') return;

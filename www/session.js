@@ -12,7 +12,7 @@ const MOST_FACES = 40;
 const MOST_FACE_BYTES = 8e6;
 
 /** A path that is there within this time is shown together with its surface: drawing the surface alone would delay it. */
-const TOGETHER_MS = 1200;
+const TOGETHER_MS = 1500;
 
 /** Share of the progress bar that planning has; the rest is the proof's. */
 const PLANNING = 0.6;

@@ -28,6 +28,22 @@ impl Body {
         }
     }
 
+    /// The body of the same `cutter` at `cl`, without working out its lines anew.
+    pub fn moved(&self, cutter: &Cutter, cl: &ClPoint) -> Self {
+        Self { center: cl.tip + cl.axis * cutter.center_height, axis: cl.axis, ..*self }
+    }
+
+    /// Whether `point` surely is farther than `away` (mm) from the cutter, told without a root; `false` says nothing.
+    pub fn is_clear(&self, point: DVec3, away: f64) -> bool {
+        let v = point - self.center;
+        let z = v.dot(self.axis);
+        let reach = self.corner_radius + away;
+        // A bottom that is a cone reaches lower than its corner, and a side that widens upwards may come nearer from above.
+        let below = self.bottom.0 <= 0.0 && -z > reach;
+        let wide = self.center_radius + reach;
+        below || (z <= 0.0 && self.side.0 <= 0.0 && v.length_squared() - z * z > wide * wide)
+    }
+
     /// Signed distance of `point` to the cutter's surface, mm, negative inside. Outside it is exact; inside it is at
     /// most the true depth.
     ///
@@ -71,6 +87,13 @@ mod tests {
                 let on = cl.tip + across * radius + axis * z;
                 assert!(body.distance(on).abs() < 1e-9, "{cutter:?} {radius}");
                 assert!(body.distance(on - axis * 0.01) > 0.0);
+                for (away, deep) in [(0.0, 0.5), (0.3, 0.5), (0.3, 0.2)] {
+                    let below = on - axis * deep + across * deep;
+                    let told = body.is_clear(below, away);
+                    assert!(!told || body.distance(below) > away, "{cutter:?} {radius}");
+                }
+                let aside = across * 3.0 * cutter.largest_radius() - axis * (z + 1.0);
+                assert!(body.is_clear(on + aside - axis, 0.1) || cutter.taper > 0.0);
             }
         }
     }

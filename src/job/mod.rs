@@ -9,7 +9,7 @@ mod gallery;
 mod inspect;
 mod joining;
 mod kinds;
-#[cfg(feature = "machines")]
+#[cfg(feature = "kinematics")]
 pub mod machines;
 mod picture;
 mod report;

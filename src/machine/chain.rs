@@ -2,7 +2,8 @@
 
 use super::figure::{Figure, Scene, figure};
 use super::{Axis, Carries, Joint, Kinematics, Machine, Position};
-use glam::{DAffine3, DMat3};
+use crate::math::angle::turn_about;
+use glam::DAffine3;
 
 /// The bodies of a machine, in the machine frame: the bed, then those between it and the workpiece, then those between it and the tool.
 #[derive(Debug, Clone, PartialEq)]
@@ -66,7 +67,7 @@ impl Chain {
             let motion = match joint.axis.joint {
                 Joint::Linear { direction } => DAffine3::from_translation(position * direction.normalize()),
                 Joint::Rotary { direction, point } => {
-                    let turn = DMat3::from_axis_angle(direction.normalize(), position);
+                    let turn = turn_about(direction.normalize(), position);
                     DAffine3 { matrix3: turn, translation: point - turn * point }
                 }
             };

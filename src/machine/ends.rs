@@ -1,6 +1,7 @@
 //! Both ways in which the machine can stand at the end of every move.
 
 use super::{Kinematics, MotionError, Position};
+use crate::math::angle::angle_between;
 use crate::toolpath::{Move, Rate, Toolpath};
 use std::f64::consts::TAU;
 
@@ -77,6 +78,6 @@ fn unreachable(kinematics: &Kinematics, index: usize, step: &Move) -> MotionErro
     let letters: Vec<String> = kinematics.axes()[3..].iter().map(|axis| axis.letter.to_string()).collect();
     let axes =
         if letters.is_empty() { "a machine without rotary axes".into() } else { letters.join(" and ") };
-    let degrees = step.to.axis.angle_between(kinematics.upright()).to_degrees();
+    let degrees = angle_between(step.to.axis, kinematics.upright()).to_degrees();
     MotionError::Unreachable { index, point: step.to.tip, degrees, axes }
 }

@@ -2,6 +2,7 @@
 
 use super::two_turns::{TwoTurns, two_turns};
 use super::{Axis, Carries, Joint, Machine, MachineError};
+use crate::math::angle::{angle_between, turn_about};
 use crate::toolpath::ClPoint;
 use glam::{DMat3, DVec3};
 
@@ -170,7 +171,7 @@ impl Kinematics {
         match self.about {
             Some([first, second]) => two_turns(first, second, self.tool_axis, axis),
             // What a three-axis machine cannot hold exactly it holds where nobody could measure it.
-            None => (axis.angle_between(self.tool_axis) < UPRIGHT)
+            None => (angle_between(axis, self.tool_axis) < UPRIGHT)
                 .then_some(TwoTurns { pairs: [[0.0; 2]; 2], apart: 0.0 }),
         }
     }
@@ -183,8 +184,8 @@ impl Kinematics {
     /// The turn of what hangs on the first rotary axis, and on both.
     fn turns(&self, rotary: [f64; 2]) -> [DMat3; 2] {
         let Some([first, second]) = self.about else { return [DMat3::IDENTITY; 2] };
-        let outer = DMat3::from_axis_angle(first, rotary[0]);
-        [outer, outer * DMat3::from_axis_angle(second, rotary[1])]
+        let outer = turn_about(first, rotary[0]);
+        [outer, outer * turn_about(second, rotary[1])]
     }
 
     /// The tip in the frame of the workpiece side, as far as the linear axes do not move it.

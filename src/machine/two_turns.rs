@@ -1,6 +1,7 @@
 //! Pointing a direction by turning it about two lines in turn.
 
-use glam::{DMat3, DVec3};
+use crate::math::angle::turn_about;
+use glam::DVec3;
 
 /// The ways to turn one direction into another.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,7 +40,7 @@ pub(super) fn two_turns(first: DVec3, second: DVec3, from: DVec3, to: DVec3) -> 
     let pair = |gamma: f64| {
         let middle = alpha * first + beta * second + gamma * across;
         let second_angle = turn(second, from, middle);
-        let turned = DMat3::from_axis_angle(second, second_angle) * from;
+        let turned = turn_about(second, second_angle) * from;
         [turn(first, turned, to), second_angle]
     };
     Some(TwoTurns { pairs: [pair(gamma), pair(-gamma)], apart: gamma * s2.sqrt() })

@@ -1,5 +1,6 @@
 //! Numbers and space, without a word of machining.
 
+pub mod angle;
 pub mod bvh;
 pub mod frame;
 pub mod order;

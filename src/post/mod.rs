@@ -6,7 +6,7 @@
 pub mod apt;
 pub mod csv;
 pub mod gcode;
-#[cfg(feature = "machines")]
+#[cfg(feature = "kinematics")]
 pub mod multiaxis;
 pub mod xzc;
 

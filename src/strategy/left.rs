@@ -2,6 +2,7 @@
 
 use super::probe::Setup;
 use crate::contact::Body;
+use crate::cutter::Cutter;
 use crate::geometry::Uv;
 use crate::math::bvh::{Aabb, Bvh};
 use crate::toolpath::{ClPoint, Pass, Station};
@@ -18,7 +19,9 @@ const THIRDS: usize = 40;
 /// The moves of passes, found by the places beside them.
 pub(super) struct Moves<'a> {
     setup: &'a Setup<'a>,
-    moves: Vec<[Station; 2]>,
+    /// The cutter, wherever it stands.
+    body: Body,
+    moves: Vec<Part>,
     tree: Bvh,
 }
 
@@ -32,11 +35,13 @@ impl<'a> Moves<'a> {
         let boxes: Vec<Aabb> =
             moves.iter().map(|ends| Aabb::around(ends.iter().map(|s| s.cc.point))).collect();
         let tree = Bvh::new(&boxes, LEAF);
-        Self { setup, moves, tree }
+        let body = Body::new(setup.cutter, &ClPoint { tip: DVec3::ZERO, axis: DVec3::Z });
+        let moves = moves.into_iter().map(|ends| Part::new(setup, &body, ends)).collect();
+        Self { setup, body, moves, tree }
     }
 
     /// All moves, pass after pass.
-    pub(super) fn all(&self) -> &[[Station; 2]] {
+    pub(super) fn all(&self) -> &[Part] {
         &self.moves
     }
 
@@ -54,7 +59,7 @@ impl<'a> Moves<'a> {
         &self,
         place: (DVec3, DVec3),
         wide: f64,
-        part: impl Fn(usize) -> Option<&'p [Station; 2]>,
+        part: impl Fn(usize) -> Option<&'p Part>,
     ) -> bool {
         self.find(place, wide, part, |_| true)
     }
@@ -64,7 +69,7 @@ impl<'a> Moves<'a> {
         &self,
         (point, top): (DVec3, DVec3),
         wide: f64,
-        part: impl Fn(usize) -> Option<&'p [Station; 2]>,
+        part: impl Fn(usize) -> Option<&'p Part>,
         mut is_enough: impl FnMut(usize) -> bool,
     ) -> bool {
         // The nearest moves come first: mostly one of them cuts.
@@ -77,21 +82,23 @@ impl<'a> Moves<'a> {
         self.tree.highest(0.0, bound, found) > 0.0
     }
 
-    /// Whether the cutter takes `point` away on its way from one station to the next.
-    pub(super) fn cuts(&self, [a, b]: &[Station; 2], point: DVec3) -> bool {
-        let cutter = self.setup.cutter;
-        let away = |t: f64| {
-            let axis = a.cl.axis.lerp(b.cl.axis, t).normalize_or(a.cl.axis);
-            Body::new(cutter, &ClPoint { tip: a.cl.tip.lerp(b.cl.tip, t), axis }).distance(point)
-        };
-        // Nothing near the bottom moves farther than this from where it is half way.
-        let turn = a.cl.axis.distance(b.cl.axis);
-        let lever = cutter.center_radius + 3.0 * cutter.corner_radius;
-        let most = 0.5 * (a.cl.tip.distance(b.cl.tip) + turn * lever);
-        let middle = away(0.5);
+    /// A straight move, ready to be asked what it cuts.
+    pub(super) fn part(&self, ends: [Station; 2]) -> Part {
+        Part::new(self.setup, &self.body, ends)
+    }
+
+    /// Whether the cutter takes `point` away on its way along a part.
+    pub(super) fn cuts(&self, part: &Part, point: DVec3) -> bool {
+        let &Part { most, .. } = part;
+        if part.middle.is_clear(point, most) {
+            return false;
+        }
+        let middle = part.middle.distance(point);
         if middle <= 0.0 || middle > most {
             return middle <= 0.0;
         }
+        let cutter = self.setup.cutter;
+        let away = |t: f64| part.at(cutter, &self.body, t).distance(point);
         // About the place where it comes nearest the distance grows with the square of the way, at least as fast as beside the
         // corner.
         let fine = (2.0 * MISS * self.setup.finish.scallop * cutter.corner_radius).sqrt();
@@ -112,5 +119,38 @@ impl<'a> Moves<'a> {
             *(if at_one < at_two { &mut high } else { &mut low }) = if at_one < at_two { two } else { one };
         }
         away(0.0) <= 0.0 || away(1.0) <= 0.0
+    }
+}
+
+/// A straight move or a part of one, with what is asked of it first: where the cutter stands half way.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Part {
+    pub(super) ends: [Station; 2],
+    middle: Body,
+    /// Nothing near the bottom moves farther than this from where it is half way, mm.
+    most: f64,
+}
+
+impl Part {
+    fn new(setup: &Setup, body: &Body, ends: [Station; 2]) -> Self {
+        let cutter = setup.cutter;
+        let [a, b] = ends.map(|station| station.cl);
+        let turn = a.axis.distance(b.axis);
+        let lever = cutter.center_radius + 3.0 * cutter.corner_radius;
+        let most = 0.5 * (a.tip.distance(b.tip) + turn * lever);
+        let part = Self { ends, middle: *body, most };
+        Self { middle: part.at(cutter, body, 0.5), ..part }
+    }
+
+    /// The cutter a share of the way on.
+    fn at(&self, cutter: &Cutter, body: &Body, share: f64) -> Body {
+        let [a, b] = [&self.ends[0].cl, &self.ends[1].cl];
+        let axis = a.axis.lerp(b.axis, share).normalize_or(a.axis);
+        body.moved(cutter, &ClPoint { tip: a.tip.lerp(b.tip, share), axis })
+    }
+
+    /// Way of the tip, mm.
+    pub(super) fn way(&self) -> f64 {
+        self.ends[0].cl.tip.distance(self.ends[1].cl.tip)
     }
 }

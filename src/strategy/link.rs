@@ -1,6 +1,7 @@
 //! From passes to one motion: lifting, crossing and coming down between them.
 
 use crate::cutter::{Cutter, Holder};
+use crate::math::angle::angle_between;
 use crate::monitor::{Cancelled, Stage};
 use crate::toolpath::{ClPoint, Move, Pass, Rate, Role, Station, Toolpath, Touch};
 use glam::DVec3;
@@ -176,7 +177,7 @@ impl Refuge {
     /// How long the way is between two places where the refuge begins, mm, where it does not go over the top.
     pub(super) fn around_by(&self, a: DVec3, b: DVec3) -> f64 {
         match *self {
-            Self::Outside { center, radius, .. } => radius * (a - center).angle_between(b - center),
+            Self::Outside { center, radius, .. } => radius * angle_between(a - center, b - center),
             Self::Above(_) => a.distance(b),
         }
     }
@@ -204,12 +205,12 @@ impl Refuge {
     /// Around `center` from `a` to `b`.
     fn arc(center: DVec3, a: ClPoint, b: ClPoint) -> Vec<ClPoint> {
         let (from, to) = (a.tip - center, b.tip - center);
-        let angle = from.angle_between(to);
+        let angle = angle_between(from, to);
         let square = (to - from * (to.dot(from) / from.length_squared()))
             .try_normalize()
             .unwrap_or_else(|| from.normalize_or(DVec3::Z).any_orthonormal_vector());
         // Small enough steps that neither the place nor the axis swings far in one of them.
-        let turn = a.axis.angle_between(b.axis);
+        let turn = angle_between(a.axis, b.axis);
         let steps = ((angle / 0.2).max(turn / 0.4).ceil() as usize).clamp(1, ARC);
         // Chords of the arc dip below it; its radius is raised so that they do not.
         let raise = 1.0 / libm::cos(0.5 * angle / steps as f64);
@@ -266,7 +267,7 @@ impl Linker<'_> {
         for lift in LIFTS.map(|times| times * self.how.lift) {
             let (above, over) = (raised(from, lift), raised(to, lift));
             let Some(across) = self.how.across(&from, &to, lift) else { continue };
-            let swing = above.axis.angle_between(over.axis) * self.how.lever;
+            let swing = angle_between(above.axis, over.axis) * self.how.lever;
             let looks = ((across + swing) / LOOK).ceil().max(1.0);
             let clear = |k: usize| is_clear(&between(above, over, k as f64 / looks));
             if (0..=looks as usize).all(clear) {

@@ -5,7 +5,7 @@
 //! needs is taken away.
 
 use super::family::Family;
-use super::left::Moves;
+use super::left::{Moves, Part};
 use super::places;
 use crate::geometry::Uv;
 use crate::math::bvh::{Aabb, Bvh};
@@ -92,7 +92,7 @@ struct Trim<'a> {
     family: &'a Family<'a>,
     moves: Moves<'a>,
     /// What is left of each move.
-    left: Vec<Option<[Station; 2]>>,
+    left: Vec<Option<Part>>,
     /// The moves of each pass.
     runs: Vec<Range<usize>>,
     /// How far moves cut from where they touch, mm.
@@ -153,14 +153,14 @@ impl<'a> Trim<'a> {
 
     /// Length of what is left of a pass, mm.
     fn length(&self, pass: usize) -> f64 {
-        self.left[self.run(pass)].iter().flatten().map(way).sum()
+        self.left[self.run(pass)].iter().flatten().map(Part::way).sum()
     }
 
     /// What is left of a pass.
     fn pass(&self, pass: usize) -> Option<Pass> {
-        let mut moves = self.left[self.run(pass)].iter().flatten().peekable();
+        let mut moves = self.left[self.run(pass)].iter().flatten().map(|part| part.ends).peekable();
         let first = moves.peek()?[0];
-        Some(Pass { stations: std::iter::once(first).chain(moves.map(|[_, b]| *b)).collect() })
+        Some(Pass { stations: std::iter::once(first).chain(moves.map(|[_, b]| b)).collect() })
     }
 
     /// Cuts back each of `ends` within a window; those of which the whole window went, and something is left.
@@ -264,7 +264,7 @@ impl<'a> Trim<'a> {
                     window.start
                 }
             };
-            open -= self.left[next].as_ref().map_or(0.0, way);
+            open -= self.left[next].as_ref().map_or(0.0, Part::way);
         }
         window
     }
@@ -272,14 +272,14 @@ impl<'a> Trim<'a> {
     /// The widest strip on some moves, mm.
     fn strip(&self, moves: &Range<usize>) -> f64 {
         let flat = self.family.setup.strip;
-        let strips = self.moves.all()[moves.clone()].iter().filter_map(|[a, _]| a.work.strip);
+        let strips = self.moves.all()[moves.clone()].iter().filter_map(|part| part.ends[0].work.strip);
         strips.fold(flat, f64::max).min(WIDE * flat)
     }
 
     /// A box around what some moves may cut.
     fn around(&self, window: &Range<usize>) -> Aabb {
         let moves = self.left[window.clone()].iter().flatten();
-        let tight = Aabb::around(moves.flatten().map(|station| station.cc.point));
+        let tight = Aabb::around(moves.flat_map(|part| part.ends).map(|station| station.cc.point));
         let margin = DVec3::splat(AROUND * self.strip(window));
         Aabb { lo: tight.lo - margin, hi: tight.hi + margin }
     }
@@ -322,7 +322,7 @@ impl<'a> Trim<'a> {
     fn needed(&self, end: &End, window: &Range<usize>, open: &Open) -> Option<(usize, f64)> {
         let (top, (mine, others)) =
             (self.top(&open.place), open.cutters.iter().partition::<Vec<usize>, _>(|k| window.contains(k)));
-        let cuts = |part: &[Station; 2]| self.moves.cuts(part, top);
+        let cuts = |part: &Part| self.moves.cuts(part, top);
         if others.iter().any(|&k| self.left[k].as_ref().is_some_and(cuts)) {
             return None;
         }
@@ -340,7 +340,7 @@ impl<'a> Trim<'a> {
         let (mut short, mut enough) = (0.0, 1.0);
         for _ in 0..HALVINGS {
             let middle = 0.5 * (short + enough);
-            let cuts = self.moves.cuts(&[*a, between(a, b, middle)], top);
+            let cuts = self.moves.cuts(&self.moves.part([*a, between(a, b, middle)]), top);
             *(if cuts { &mut enough } else { &mut short }) = middle;
         }
         enough
@@ -349,8 +349,8 @@ impl<'a> Trim<'a> {
     /// What is left of the move of a window with the number `at`, counted from inside, as it leads outwards.
     fn outward(&self, end: &End, window: &Range<usize>, at: usize) -> Option<[Station; 2]> {
         match end.side {
-            Side::First => self.left[window.end - 1 - at].map(|[a, b]| [b, a]),
-            Side::Last => self.left[window.start + at],
+            Side::First => self.left[window.end - 1 - at].map(|Part { ends: [a, b], .. }| [b, a]),
+            Side::Last => self.left[window.start + at].map(|part| part.ends),
         }
     }
 
@@ -366,8 +366,8 @@ impl<'a> Trim<'a> {
             if length * (1.0 - from) > more {
                 let station = between(&a, &b, from + more / length);
                 match end.side {
-                    Side::First => self.left[window.end - 1 - at] = Some([station, a]),
-                    Side::Last => self.left[window.start + at] = Some([a, station]),
+                    Side::First => self.left[window.end - 1 - at] = Some(self.moves.part([station, a])),
+                    Side::Last => self.left[window.start + at] = Some(self.moves.part([a, station])),
                 }
                 break;
             }

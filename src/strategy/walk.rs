@@ -3,6 +3,7 @@
 use super::probe::{GOUGE, Setup};
 use crate::contact::contact_of;
 use crate::geometry::{Curvature, IsoLine, Uv};
+use crate::math::angle::angle_between;
 use crate::math::frame::Frame;
 use crate::toolpath::{CcPoint, ClPoint, Pass, Station, Work};
 use glam::DVec3;
@@ -123,7 +124,7 @@ impl Walker<'_> {
         if !a.clear {
             return true;
         }
-        if a.station.cl.axis.angle_between(b.station.cl.axis) > MOST_TURN {
+        if angle_between(a.station.cl.axis, b.station.cl.axis) > MOST_TURN {
             return false;
         }
         let low = -(self.setup.finish.chord.min(GOUGE));

@@ -1,6 +1,7 @@
 //! What the page's turning mode asks for. Names begin with `turning`, so that all modules may be compiled together.
 
 use super::{thrown, watched};
+use crate::job::machines::lathe;
 use crate::job::turning::{self, TurningPlan, TurningProof, TurningSpec};
 use js_sys::{Float32Array, Function};
 use wasm_bindgen::prelude::*;
@@ -22,6 +23,13 @@ pub fn turning_complete(spec: &str) -> Result<String, JsValue> {
 pub fn turning_table(spec: &str, bytes: &[u8]) -> Result<String, JsValue> {
     let with_table = |spec: TurningSpec| spec.with_table(bytes);
     TurningSpec::from_json(spec).and_then(with_table).map(|spec| spec.to_json()).map_err(thrown)
+}
+
+/// A turning specification with the speeds, accelerations and jerks of a lathe's file (JSON text) as its limits, as JSON.
+#[wasm_bindgen]
+pub fn turning_lathe(spec: &str, machine: &str) -> Result<String, JsValue> {
+    let spec = TurningSpec::from_json(spec).map_err(thrown)?;
+    lathe(machine).map(|lathe| lathe.limiting(spec).to_json()).map_err(thrown)
 }
 
 /// A planned path, and its proof after [`Turned::prove`] was called.
@@ -46,6 +54,11 @@ impl Turned {
     pub fn prove(&mut self, progress: Function) -> Result<(), JsValue> {
         self.proof = watched(progress, |stage| self.plan.prove(stage))?;
         Ok(())
+    }
+
+    /// Throws unless the whole path is within the travels of a lathe's file (JSON text).
+    pub fn fits(&self, machine: &str) -> Result<(), JsValue> {
+        lathe(machine).and_then(|lathe| lathe.holds(&self.plan.emitted)).map_err(thrown)
     }
 
     /// The report as JSON.

@@ -4,6 +4,7 @@ use crate::examples::{example, five_axis};
 use glam::DVec3;
 use stepover::cutter::Cutter;
 use stepover::job::machines::{Contact, Dialect, Matter, Pole, PostOptions, Posted, notes, post_program};
+use stepover::math::angle::angle_between;
 use stepover::monitor::Stage;
 use stepover::post::{Program, Unit};
 use stepover::toolpath::{ClPoint, Move, Rate, Role, Toolpath};
@@ -31,7 +32,7 @@ fn pass(miss: f64) -> (Program, Vec<Option<Contact>>) {
         let ring = point + cutter.corner_radius * normal - cutter.center_radius * out;
         let to = ClPoint { tip: ring - cutter.center_height * axis, axis };
         moves.push(Move { to, rate: Rate::Feed(3000.0), role: Role::Cut });
-        contacts.push(Some(Contact { point, lead: axis.angle_between(normal) }));
+        contacts.push(Some(Contact { point, lead: angle_between(axis, normal) }));
     }
     let program = Program {
         part: "pole".into(),
@@ -120,7 +121,7 @@ fn tilting_aside_keeps_every_contact_and_its_normal() {
         if step.to != before.to {
             tilted += 1;
             assert!((step.to.axis.z - libm::cos(angle.to_radians())).abs() < 1e-9);
-            assert!(step.to.axis.angle_between(before.to.axis).to_degrees() < 2.0 * angle + 1e-6);
+            assert!(angle_between(step.to.axis, before.to.axis).to_degrees() < 2.0 * angle + 1e-6);
         }
     }
     assert_eq!(tilted, posted.aside.len());

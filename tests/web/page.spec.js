@@ -65,7 +65,8 @@ const FILES = [
       ['cutter.corner_radius_mm', 1.5],
       ['cutter.diameter_mm', 6],
       ['strategy.lead_deg', 15],
-      ['tolerance.scallop_mm', 0.04],
+      ['tolerance.scallop_mm', 0.08],
+      ['verify.spacing_mm', 0.4],
     ],
   },
   {

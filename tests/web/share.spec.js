@@ -159,6 +159,21 @@ test('the page opens without a network', async ({ page, context }) => {
   await context.setOffline(false);
 });
 
+test('the lessons open without a network after one visit', async ({ page, context }) => {
+  const drawn = page.locator('figure[data-figure=tilt][data-drawn]');
+  await page.goto('./learn.html');
+  await drawn.waitFor();
+  const isKept = () => page.evaluate(() => caches.match('./learn.html').then(Boolean));
+  await expect.poll(isKept).toBe(true);
+  await context.setOffline(true);
+  await page.reload();
+  await drawn.waitFor();
+  // What another figure needs was not on show before.
+  await page.locator('figure[data-figure=schur]').scrollIntoViewIfNeeded();
+  await page.locator('figure[data-figure=schur][data-drawn]').waitFor();
+  await context.setOffline(false);
+});
+
 test('the path is played, stepped and timed as the machine cuts it', async ({ page }) => {
   await visit(page);
   await proof(page);

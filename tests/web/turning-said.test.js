@@ -50,6 +50,29 @@ test('what is refused is said in Chinese', () => {
   }
 });
 
+test('and so is what does not fit a lathe', () => {
+  const text = readFileSync(new URL('../../examples/machines/lathe_xzc.json', import.meta.url), 'utf8');
+  const job = planner.turning_lathe('{}', text);
+  assert.equal(JSON.parse(job).limits.c_deg_per_s3, 1e6);
+  const planned = planner.turning_plan(job, undefined, () => {});
+  planned.fits(text);
+  for (const wrong of [
+    text.replace('"limits_mm": [-100, 100]', '"limits_mm": [-1, 1]'),
+    text.replace('"letter": "C"', '"letter": "B"'),
+    text.replace(/\{\s*"kind": "rotary".*?\},/s, ''),
+  ]) {
+    assert.throws(
+      () => planned.fits(wrong),
+      (thrown) => {
+        const { field, message } = JSON.parse(thrown);
+        const told = said(`${field}: ${message.replace(`${field}: `, '')}`);
+        assert.deepEqual(english(told), [], told);
+        return true;
+      },
+    );
+  }
+});
+
 test('and so is what is warned of', () => {
   const job = {
     ...insert({ rake_deg: -10, clearance_deg: 22 }),

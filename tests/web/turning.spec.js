@@ -214,3 +214,27 @@ test('中文, what the planner says too, on a phone in the dark', async ({ brows
   expect([...new Set(words)].filter((word) => !names.includes(word))).toEqual([]);
   await context.close();
 });
+
+test('a lathe is opened from its file, kept, and what it cannot reach is said', async ({ page }) => {
+  await visit(page);
+  const text = readFileSync(new URL('../../examples/machines/lathe_xzc.json', import.meta.url), 'utf8');
+  const file = (machine) => ({ name: 'lathe.json', base64: Buffer.from(machine).toString('base64') });
+  await drop(page, [file(text)]);
+  await settled(page);
+  await expect(page.locator('[name="limits.x_mm_per_s2"]')).toHaveValue('1000');
+  await expect(page.locator('#action .message')).toHaveText('');
+  // One whose carriage hardly moves: the path leaves its travels, and the axis is named.
+  const short = text.replace('"limits_mm": [-100, 100]', '"limits_mm": [-1, 1]');
+  await drop(page, [file(short.replace('Lathe with', 'Short lathe with'))]);
+  await expect(page.locator('#action .message')).toContainText('axes.Z.limits_mm: are -1.000 to 1.000 mm');
+  await page.reload();
+  await expect(page.locator('.lathe-name')).toContainText('Short lathe');
+  await expect(page.locator('#action .message')).toContainText('axes.Z');
+  await page.locator('[data-group=limits] summary').click();
+  await picture(page, 'turning-lathe');
+  await page.locator('[name=lathe-forget]').click();
+  await page.locator('button[name=plan]').click();
+  await expect(page.locator('#action .message')).toHaveText('');
+  await drop(page, [file(text.replace('"version": 1', '"version": 9'))]);
+  await expect(page.locator('#action .message')).toContainText('version');
+});

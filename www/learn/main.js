@@ -2,6 +2,7 @@
  * The lessons: texts, formulas with their numbers in the papers, figures computed as they come into sight, and links that open
  * their cases in the planner.
  */
+import { keepOffline } from '../offline.js';
 import { linked } from '../share/link.js';
 import { createStudyPlanner } from '../study/planner.js';
 import { t as page } from '../text/index.js';
@@ -109,6 +110,7 @@ function start() {
   document.documentElement.dataset.ready = '';
   // The address may name a lesson, which was not there when it was opened.
   document.getElementById(location.hash.slice(1))?.scrollIntoView();
+  keepOffline();
 }
 
 start();

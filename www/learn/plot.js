@@ -1,6 +1,7 @@
 /** Lines over two axes of any range. */
 import { plain } from '../format.js';
 import { s } from '../view/dom.js';
+import { niceTicks } from '../view/ticks.js';
 
 /** Units of the drawing: about as many as pixels, so that numbers can be read on a phone too. */
 export const WIDTH = matchMedia('(width < 700px)').matches ? 380 : 640;
@@ -30,11 +31,11 @@ export function plot(svg, { x, y, labels, lines, height = 320, bands = [], uprig
     ...bands.map(({ name, from, to }) =>
       s('rect', { class: name, x: MARGIN.left, y: fix(py(to)), width: wide, height: fix(py(from) - py(to)) }),
     ),
-    ...ticks(x, wide / 80).flatMap((v) => [
+    ...niceTicks(x, wide / 80).flatMap((v) => [
       s('path', { class: v === 0 ? 'axis' : 'grid', d: `M${fix(px(v))} ${MARGIN.top}v${tall}` }),
       s('text', { x: fix(px(v)), y: MARGIN.top + tall + 18, 'text-anchor': 'middle' }, plain(v)),
     ]),
-    ...ticks(y, tall / 48).flatMap((v) => [
+    ...niceTicks(y, tall / 48).flatMap((v) => [
       s('path', { class: v === 0 ? 'axis' : 'grid', d: `M${MARGIN.left} ${fix(py(v))}h${wide}` }),
       s('text', { x: MARGIN.left - 8, y: fix(py(v) + 4), 'text-anchor': 'end' }, plain(v)),
     ]),
@@ -78,14 +79,4 @@ function way({ x, y }, px, py) {
     isDown = value !== null;
   }
   return d;
-}
-
-/** Round numbers between two ends, at most about `count` of them. @param {[number, number]} ends @param {number} count */
-function ticks([low, high], count) {
-  const least = (high - low) / Math.max(count, 1);
-  const power = 10 ** Math.floor(Math.log10(least));
-  const step = [1, 2, 5, 10].map((k) => k * power).find((size) => size >= least) ?? least;
-  const first = Math.ceil(low / step - 1e-9);
-  const last = Math.floor(high / step + 1e-9);
-  return Array.from({ length: last - first + 1 }, (_, i) => Number(((first + i) * step).toPrecision(6)));
 }

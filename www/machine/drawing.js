@@ -93,8 +93,11 @@ export function createDrawing(root) {
       root.hidden = !state.work;
       if (!state.work) return;
       if (figure !== state.work.figure) {
-        name.textContent = state.work.report.machine;
-        canvas.setAttribute('aria-label', t('drawing.label', { machine: state.work.report.machine }));
+        const called = state.work.report.machine;
+        const known = state.machines.find((one) => one.name === called);
+        const machine = t(`name.${known?.id}`, {}, called);
+        name.textContent = machine;
+        canvas.setAttribute('aria-label', t('drawing.label', { machine }));
       } else if (moment === state.moment) return;
       figure = state.work.figure;
       moment = state.moment;

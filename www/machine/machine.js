@@ -136,23 +136,37 @@ export function createMachine({ panel, drawing }, { onAt }) {
   );
   action.append(busy, writeButton);
 
+  const form = createForm(
+    { dialect, more },
+    { onEdit: (path, value) => edit(write(state.options, path, value)) },
+  );
+  const curves = createPlots(plots, {
+    onSeconds: goToSeconds,
+    ask: (...args) => ask('bands', [axes(), ...args]),
+  });
+  /** Each with what it shows: while the machine moves, a moment follows another, and nothing else is drawn. @type {[{ update: (state: State) => void }, (keyof State)[]][]} */
   const views = [
-    createForm({ dialect, more }, { onEdit: (path, value) => edit(write(state.options, path, value)) }),
-    createFigures(figures),
-    createNotes(notes, { onMove: goTo }),
-    createPlots(plots, { onSeconds: goToSeconds, ask: (...args) => ask('bands', [axes(), ...args]) }),
-    createDrawing(drawing),
-    createProblem(problem, { onMove: goTo }),
-    createSaving(saving),
+    [{ update: showAction }, ['job', 'work', 'outcome', 'madeOf', 'machines', 'chosen', 'schema']],
+    [form, ['schema', 'options', 'problem']],
+    [createFigures(figures), ['work', 'kept', 'job']],
+    [createNotes(notes, { onMove: goTo }), ['work']],
+    [curves, ['work', 'moment']],
+    [createDrawing(drawing), ['work', 'moment']],
+    [createProblem(problem, { onMove: goTo }), ['problem']],
+    [createSaving(saving), ['work', 'planned', 'dialect']],
   ];
+  for (const [view] of views) view.update(state);
 
   /** @param {Partial<State>} change */
   function set(change) {
+    const before = state;
     state = { ...state, ...change };
-    render();
+    for (const [view, shown] of views) {
+      if (shown.some((name) => before[name] !== state[name])) view.update(state);
+    }
   }
 
-  function render() {
+  function showAction() {
     const { job, work, outcome, madeOf, machines, chosen } = state;
     const names = machines.map(({ id, name }) =>
       id === OWN ? t('own', { name }) : t(`name.${id}`, {}, name),
@@ -178,7 +192,6 @@ export function createMachine({ panel, drawing }, { onAt }) {
     const isPreview = outcome !== null && !outcome.files;
     stale.hidden = !(isPreview || (work !== null && madeOf !== outcome?.path));
     say(stale, t(isPreview ? 'none' : 'stale'));
-    for (const view of views) view.update(state);
   }
 
   /** @param {any} options */

@@ -7,20 +7,20 @@
  *
  * @import { Outcome, Picture, Report, Spec } from '../types.js'
  */
-import { checksum } from './checksum.js';
+import { BadLink, fourBytes, isWrapped, numberOf, unwrapped, wrapped } from './envelope.js';
 import { packed, unpacked } from './preview.js';
-import { deflate, inflate, joined, letters, unlettered } from './squeeze.js';
+import { joined } from './squeeze.js';
 
-const VERSION = '1';
+export { BadLink };
+
+const VERSION = 1;
 
 /** Letters that people and their programs still pass on. */
 export const WISHED = 8000;
 /** With more, a file is better. */
 export const MOST = 30_000;
-/** Nobody's link has more. */
-const MOST_READ = 65_536;
-/** Of what it holds, bytes. */
-const MOST_INFLATED = 2e6;
+/** Nobody's link has more letters, nor more bytes in them. */
+const MOST_READ = { letters: 65_536, bytes: 2e6 };
 const MOST_JSON = 4e5;
 const LONGEST_NAME = 200;
 
@@ -34,15 +34,6 @@ const FINENESS = [
   [512, 12],
   [256, 8],
 ];
-
-/** Why a link cannot be opened: `cut` (letters are missing or wrong), `new` (of a later version), `large`, or `odd`. */
-export class BadLink extends Error {
-  /** @param {'cut' | 'new' | 'large' | 'odd'} code */
-  constructor(code) {
-    super(code);
-    this.code = code;
-  }
-}
 
 /**
  * @typedef {{ spec: Spec, outcome: Outcome | null, isPreview: boolean, name: string }} Shared
@@ -73,12 +64,11 @@ export async function linked({ spec, name, outcome, picture, isPreview }) {
 /** @param {object} about @param {Uint8Array} preview */
 async function fragmentOf(about, preview) {
   const text = new TextEncoder().encode(JSON.stringify(about));
-  const squeezed = await deflate(joined([fourBytes(text.length), text, preview]));
-  return `#${VERSION}.${letters(joined([fourBytes(checksum(squeezed)), squeezed]))}`;
+  return wrapped('', VERSION, joined([fourBytes(text.length), text, preview]));
 }
 
 /** Whether an address has a fragment that means to be a link. @param {string} fragment */
-export const isLink = (fragment) => /^#\d+\./.test(fragment);
+export const isLink = (fragment) => isWrapped('', fragment);
 
 /**
  * What a link holds. Throws {@link BadLink}; nothing in it is trusted.
@@ -87,15 +77,8 @@ export const isLink = (fragment) => /^#\d+\./.test(fragment);
  * @returns {Promise<Shared>}
  */
 export async function opened(fragment) {
-  if (fragment.length > MOST_READ) throw new BadLink('large');
-  const [, version, text] = fragment.match(/^#(\d+)\.(.*)$/s) ?? [];
-  if (version !== VERSION) throw new BadLink(Number(version) > Number(VERSION) ? 'new' : 'odd');
-  const bytes = unlettered(text);
-  if (!bytes || bytes.length < 8) throw new BadLink('cut');
-  const squeezed = bytes.subarray(4);
-  if (checksum(squeezed) !== numberOf(bytes)) throw new BadLink('cut');
-  const all = await inflate(squeezed, MOST_INFLATED);
-  if (!all || all.length < 4) throw new BadLink(all ? 'odd' : 'large');
+  const all = await unwrapped('', VERSION, fragment, MOST_READ);
+  if (all.length < 4) throw new BadLink('odd');
   const length = numberOf(all);
   if (length > MOST_JSON || length > all.length - 4) throw new BadLink('large');
   try {
@@ -164,14 +147,6 @@ function checkedReport(report) {
     warnings,
   };
 }
-
-/** @param {number} value */
-function fourBytes(value) {
-  return Uint8Array.from([value, value >>> 8, value >>> 16, value >>> 24]);
-}
-
-/** @param {Uint8Array} bytes */
-const numberOf = (bytes) => (bytes[0] | (bytes[1] << 8) | (bytes[2] << 16) | (bytes[3] << 24)) >>> 0;
 
 /** A tenth of a micrometre. @param {number} mm */
 const round = (mm) => Math.round(mm * 1e4) / 1e4;

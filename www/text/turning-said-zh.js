@@ -52,6 +52,18 @@ const SENTENCES = [
     'the limits allow at most {r} rpm, below the least of {least} rpm: {what} at X {x} mm, C {c}° would have to reach {n}',
     '极限只允许 {r} 转/分，低于最低的 {least} 转/分：X {x} mm、C {c}° 处{what}须达到 {n}',
   ],
+  [
+    'axes.{axis}.limits{unit}: are {l} to {h}, and the path goes from {a} to {b} in machine coordinates',
+    '{axis} 轴行程为 {l} 至 {h}，而刀路在机床坐标中从 {a} 到 {b}',
+  ],
+  [
+    'axes.{axis}: is missing: a lathe with a servo spindle needs X and Z and the rotary axis C, and none called {letter} is there',
+    '缺少 {letter} 轴：带伺服主轴的车床须有 X、Z 和旋转轴 C',
+  ],
+  [
+    'axes.{axis}.letter: is no axis of a lathe here: X, Z and C are driven, and no others',
+    '{axis} 不是此处车床的轴：只驱动 X、Z 和 C',
+  ],
   ['velocity of {axis}', ' {axis} 速度'],
   ['acceleration of {axis}', ' {axis} 加速度'],
   ['jerk of {axis}', ' {axis} 加加速度'],

@@ -14,6 +14,9 @@ export default {
   'action.open': '打开任务或高度表',
   'action.heights': '打开高度表…',
   'action.close': '关闭',
+  'lathe.open': '打开车床文件…',
+  'lathe.about': '以其速度、加速度和加加速度为极限，刀路须在其行程之内。',
+  'lathe.forget': '不再检查此车床的行程',
   'action.language': 'English',
   'progress.title': '进度',
 

@@ -14,6 +14,10 @@ export default {
   'action.open': 'Open a job or a table of heights',
   'action.heights': 'Open a table…',
   'action.close': 'Close',
+  'lathe.open': 'Open a lathe’s file…',
+  'lathe.about':
+    'Its speeds, accelerations and jerks become the limits, and the path must stay within its travels.',
+  'lathe.forget': 'Leave this lathe’s travels out',
   'action.language': '中文',
 
   drop: 'Drop to open',

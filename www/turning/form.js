@@ -22,9 +22,10 @@ const MOST_WRITTEN = 2000;
 /**
  * @param {HTMLElement} root
  * @param {{ onEdit: (path: string, value: any) => void, onVariant: (group: Group, kind: string) => void,
- *   onPick: () => void }} callbacks `onPick` when somebody wants to open a file.
+ *   onPick: () => void, above: Record<string, HTMLElement> }} callbacks `onPick` when somebody wants to open a file; `above` is what stands
+ *   above the settings of a group.
  */
-export function createForm(root, { onEdit, onVariant, onPick }) {
+export function createForm(root, { onEdit, onVariant, onPick, above }) {
   /** @type {Map<string, Entry>} */
   let entries = new Map();
   /** @type {Map<string, HTMLElement>} */
@@ -42,6 +43,7 @@ export function createForm(root, { onEdit, onVariant, onPick }) {
           'details',
           { class: 'panel', open: OPEN.has(group.path), 'data-group': group.path },
           h('summary', {}, title),
+          above[group.path] ?? null,
           body,
         );
       }),

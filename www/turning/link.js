@@ -1,26 +1,23 @@
 /**
- * A turning job as a link: `#t1.` and then, in letters, four bytes of checksum and what they check, the job's JSON squeezed.
+ * A turning job as a link: `#t1.` and the job's JSON in an envelope.
  *
  * Planning takes a moment, so nothing but the job travels. Links are kept and taught with: whatever follows version 1, its
  * links must open for ever.
  */
-import { checksum } from '../share/checksum.js';
-import { BadLink, MOST } from '../share/link.js';
-import { deflate, inflate, joined, letters, unlettered } from '../share/squeeze.js';
+import { BadLink, isWrapped, unwrapped, wrapped } from '../share/envelope.js';
+import { MOST } from '../share/link.js';
 
-const VERSION = '1';
+const KIND = 't';
+const VERSION = 1;
 
-/** Of what it holds, bytes. */
-const MOST_INFLATED = 4e5;
+/** Letters that are read, and bytes that they may hold. */
+const MOST_READ = { letters: 2 * MOST, bytes: 4e5 };
 
 /** The fragment of a link, with its `#`; it may be longer than {@link MOST}. @param {any} spec */
-export async function linked(spec) {
-  const squeezed = await deflate(new TextEncoder().encode(JSON.stringify(spec)));
-  return `#t${VERSION}.${letters(joined([fourBytes(checksum(squeezed)), squeezed]))}`;
-}
+export const linked = (spec) => wrapped(KIND, VERSION, new TextEncoder().encode(JSON.stringify(spec)));
 
 /** Whether an address has a fragment that means to be such a link. @param {string} fragment */
-export const isLink = (fragment) => /^#t\d+\./.test(fragment);
+export const isLink = (fragment) => isWrapped(KIND, fragment);
 
 /**
  * The job of a link, as it was written: whether it is one, the planner says. Throws {@link BadLink}.
@@ -28,25 +25,12 @@ export const isLink = (fragment) => /^#t\d+\./.test(fragment);
  * @param {string} fragment
  */
 export async function opened(fragment) {
-  if (fragment.length > 2 * MOST) throw new BadLink('large');
-  const [, version, text] = fragment.match(/^#t(\d+)\.(.*)$/s) ?? [];
-  if (version !== VERSION) throw new BadLink(Number(version) > Number(VERSION) ? 'new' : 'odd');
-  const bytes = unlettered(text);
-  if (!bytes || bytes.length < 5) throw new BadLink('cut');
-  const squeezed = bytes.subarray(4);
-  if (checksum(squeezed) !== new DataView(bytes.buffer).getUint32(0, true)) throw new BadLink('cut');
-  const all = await inflate(squeezed, MOST_INFLATED);
-  if (!all) throw new BadLink('large');
+  const content = await unwrapped(KIND, VERSION, fragment, MOST_READ);
   try {
-    const spec = JSON.parse(new TextDecoder().decode(all));
+    const spec = JSON.parse(new TextDecoder().decode(content));
     if (typeof spec?.surface?.kind === 'string') return spec;
   } catch {
     // Told of below.
   }
   throw new BadLink('odd');
-}
-
-/** @param {number} value */
-function fourBytes(value) {
-  return Uint8Array.from([value, value >>> 8, value >>> 16, value >>> 24]);
 }

@@ -18,6 +18,7 @@ import { createCompare, variants } from './compare.js';
 import { createFigures } from './figures.js';
 import { createForm } from './form.js';
 import { createHead } from './head.js';
+import { createLathe, remember } from './lathe.js';
 import { isLink, opened } from './link.js';
 import { createOpener } from './opening.js';
 import { createPicture } from './picture.js';
@@ -37,6 +38,7 @@ const keeping = createKeeping(
 );
 const open = createOpener(planner, state.get, {
   onSpec: load,
+  onLathe: hold,
   onComplaint: (message) => complain({ code: '', message }),
   onError: fail,
 });
@@ -53,7 +55,9 @@ place('modes').append(
 place('drop').append(h('strong', {}, t('drop')), h('span', {}, t('drop.hint')));
 
 const head = createHead(place('history'), { onUndo: state.undo, onRedo: state.redo, onFiles: open });
+const lathe = createLathe({ onPick: head.pickFile, onForget: () => hold(null) });
 const form = createForm(place('settings'), {
+  above: { limits: lathe.element },
   onEdit: (path, value) => state.edit(write(state.get().draft, path, value), path),
   onVariant: (/** @type {Group} */ group, kind) =>
     state.edit(withVariant(state.get().draft, group, kind), ''),
@@ -63,6 +67,7 @@ const saving = createSaving(place('save'));
 const views = [
   head,
   form,
+  lathe,
   createAction(place('action'), { onPlan: plan, onCancel: () => planner.cancel() }),
   createCompare(place('compare'), { onChoose: choose, onRun: compare }),
   createPicture(place('picture'), { onShow: (shown) => state.set(shown) }),
@@ -86,6 +91,12 @@ function load(spec) {
   return plan();
 }
 
+/** Makes paths stay within the travels of a lathe, or of none. @param {import('./types.js').Lathe | null} lathe */
+function hold(lathe) {
+  remember(lathe);
+  state.set({ lathe });
+}
+
 /** @param {string} guide @param {string} points */
 function choose(guide, points) {
   const { schema, draft } = state.get();
@@ -105,7 +116,9 @@ function fail(error) {
   if (error instanceof Cancelled) return;
   if (!(error instanceof PlannerError)) throw error;
   const { code, message, field } = error;
-  complain({ code, message: t(`error.${code}`, { message }, message), field });
+  // What is wrong with a lathe's file has no field here: its own name for it is said.
+  const text = field?.startsWith('axes.') ? `${field}: ${message.replace(`${field}: `, '')}` : message;
+  complain({ code, message: t(`error.${code}`, { message: text }, text), field });
 }
 
 /** @param {string} op @param {any[]} args @param {(fraction: number) => number} [whole] */
@@ -136,9 +149,9 @@ function plan() {
   if (wrong) return complain(wrong);
   planner.cancel();
   return guarded(async () => {
-    const { draft } = state.get();
+    const { draft, lathe } = state.get();
     state.set({ job: { op: 'plan', phase: '', fraction: 0 }, problem: null });
-    const outcome = await ask('plan', [draft], (fraction) => PLANNING * fraction);
+    const outcome = await ask('plan', [draft, lathe?.text], (fraction) => PLANNING * fraction);
     const radius = outcome.report.outermost_mm;
     const motion = await planner.call('motion', [draft, radius]);
     state.set({ outcome, planned: draft, radius, motion });
@@ -243,7 +256,7 @@ async function start() {
     if (spec) load(spec);
   });
   document.documentElement.dataset.ready = '';
-  keepOffline(() => {});
+  keepOffline();
 }
 
 start();

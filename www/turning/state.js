@@ -1,5 +1,6 @@
 /** @import { State } from './types.js' */
 import { createHistory } from '../history.js';
+import { recall } from './lathe.js';
 
 /** @returns {State} */
 function empty() {
@@ -20,6 +21,7 @@ function empty() {
     range: 'own',
     compared: [],
     dragging: false,
+    lathe: recall(),
   };
 }
 

@@ -23,12 +23,13 @@
  * `touches` has x, y, z a point. `turns` has 14 numbers a turn: distance from the axis (mm), speed (1/min), then for X, Z and C the
  * stroke and the largest velocity, acceleration and jerk; mm, degrees and seconds.
  *
+ * @typedef {{ name: string, text: string }} Lathe A machine's file.
  * @typedef {'x' | 'z' | 'c'} AxisName
  * @typedef {{ guide: string, points: string, report: Report }} Compared
  * @typedef {{ schema: Schema | null, draft: any, canUndo: boolean, canRedo: boolean, outcome: Outcome | null, planned: any,
  *   motion: Float32Array | null, radius: number, axis: AxisName, job: { op: string, phase: string, fraction: number } | null,
  *   problem: Problem | null, view: 'map' | 'lens', path: boolean, range: 'own' | 'fine' | 'wide', compared: Compared[],
- *   dragging: boolean }} State
+ *   dragging: boolean, lathe: Lathe | null }} State
  * `draft` is the specification that is edited, `planned` the one that `outcome` belongs to. `motion` has 13 numbers a point of one
  * turn: angle (degrees), then position, velocity, acceleration and jerk of X, Z and C.
  */

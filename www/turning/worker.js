@@ -36,8 +36,14 @@ serve(init, {
     transfer: [],
   }),
 
-  plan([spec], progress) {
+  lathe: ([spec, machine]) => ({
+    result: JSON.parse(planner.turning_lathe(JSON.stringify(spec), machine)),
+    transfer: [],
+  }),
+
+  plan([spec, machine], progress) {
     const planned = plan(spec, progress);
+    if (machine) planned.fits(machine);
     const report = planned.report();
     const [rays, rings] = LENS;
     const heights = planned.heights(rays, rings);

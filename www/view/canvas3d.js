@@ -3,16 +3,7 @@
  *
  * @import { Outcome, Removal, State } from '../types.js'
  */
-import {
-  AmbientLight,
-  Color,
-  DirectionalLight,
-  Raycaster,
-  Scene,
-  SRGBColorSpace,
-  Vector2,
-  WebGLRenderer,
-} from 'three';
+import { AmbientLight, Color, DirectionalLight, Raycaster, Scene, Vector2 } from 'three';
 import { runsOf } from '../comparing.js';
 import { t } from '../text/index.js';
 import { createNearest, hasPostures } from './along-path.js';
@@ -24,15 +15,13 @@ import { createOtherFaces } from './other-faces.js';
 import { createOverlays } from './overlays.js';
 import { createPathLines } from './path-lines.js';
 import { createRemoving } from './removing.js';
+import { createRenderer } from './renderer.js';
 import { createStartCurve } from './start-curve.js';
 import { createSurfaceMesh } from './surface-mesh.js';
 import { createTints } from './tint.js';
 import { createViewCube } from './view-cube.js';
 import { lastCut, locate, shareAt } from './way.js';
 import { createZones } from './zones.js';
-
-/** Sharper than this nobody sees, and it costs the square. */
-const SHARPEST = 2;
 
 /** A picture that did not move for this time is at rest, milliseconds. */
 const REST_MS = 300;
@@ -48,10 +37,7 @@ const CLICK = 5;
 export function createCanvas3d(root, { onFace, onAt, onPoint, onPick }) {
   const canvas = h('canvas', { tabindex: 0, 'aria-label': t('canvas.label') });
   root.append(canvas);
-  const renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
-  renderer.outputColorSpace = SRGBColorSpace;
-  // Asking whether a shader compiled waits until it has.
-  renderer.debug.checkShaderErrors = false;
+  const drawing = createRenderer(canvas);
   const scene = new Scene();
   const surface = createSurfaceMesh();
   const path = createPathLines();
@@ -88,7 +74,6 @@ export function createCanvas3d(root, { onFace, onAt, onPoint, onPick }) {
   /** @type {Partial<State>} */
   let painted = {};
   let framed = '';
-  let sized = '';
   /** What is left while the path is run, on show. @type {{ removal: Removal, removing: ReturnType<typeof createRemoving> } | null} */
   let running = null;
   const cube = createViewCube(root, (side) => view.look(side));
@@ -112,14 +97,18 @@ export function createCanvas3d(root, { onFace, onAt, onPoint, onPick }) {
     camera.localToWorld(key.position.set(-0.6, 0.9, 1));
     key.target.position.copy(camera.position);
     cube.turn(camera);
-    renderer.render(scene, camera);
+    drawing.render(scene, camera);
   }
 
   /** Draws a picture that moves: a long path with fewer segments, until it has come to rest. */
   function move() {
     path.move(true);
+    drawing.move(true);
     clearTimeout(resting);
-    resting = setTimeout(() => path.move(false) && draw(), REST_MS);
+    resting = setTimeout(() => {
+      const isOther = path.move(false);
+      if (drawing.move(false) || isOther) draw();
+    }, REST_MS);
     draw();
   }
 
@@ -132,12 +121,7 @@ export function createCanvas3d(root, { onFace, onAt, onPoint, onPick }) {
 
   function resize() {
     const { clientWidth: width, clientHeight: height } = root;
-    const ratio = Math.min(devicePixelRatio, SHARPEST);
-    const size = `${width} ${height} ${ratio}`;
-    if (width === 0 || height === 0 || size === sized) return;
-    sized = size;
-    renderer.setPixelRatio(ratio);
-    renderer.setSize(width, height, false);
+    if (!drawing.resize(width, height)) return;
     view.resize(width, height);
     // Drawn at once: a canvas that changed its size is empty until then.
     render();
@@ -287,6 +271,8 @@ export function createCanvas3d(root, { onFace, onAt, onPoint, onPick }) {
 
     /** The picture as it stands, on a canvas that keeps it. */
     copy() {
+      path.move(false);
+      drawing.move(false);
       render();
       const copy = document.createElement('canvas');
       Object.assign(copy, { width: canvas.width, height: canvas.height });

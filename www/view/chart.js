@@ -1,6 +1,7 @@
 /** Lines over two axes, drawn as large as there is room. */
 import { plain } from '../format.js';
 import { s } from './dom.js';
+import { niceTicks, ticks } from './ticks.js';
 
 const MARGIN = { top: 30, right: 14, bottom: 42, left: 44 };
 /** Room that a number on an axis wants, in pixels. */
@@ -44,11 +45,11 @@ export function drawChart(svg, { width, height, x, y, lines, at, dots }) {
     s(
       'g',
       { class: 'grid', transform: `translate(${MARGIN.left} ${MARGIN.top})` },
-      ...ticks(y.most, niceStep(y.most, inner.height / TICK.y)).flatMap((value) => [
+      ...niceTicks([0, y.most], inner.height / TICK.y).flatMap((value) => [
         s('path', { class: value === 0 ? 'axis' : null, d: `M0 ${top(value).toFixed(2)}H${inner.width}` }),
         s('text', { x: -8, y: top(value) + 4, 'text-anchor': 'end' }, plain(value)),
       ]),
-      ...ticks(x.most, x.step * Math.ceil(x.most / x.step / (inner.width / TICK.x))).flatMap((value) => [
+      ...ticks([0, x.most], x.step * Math.ceil(x.most / x.step / (inner.width / TICK.x))).flatMap((value) => [
         s('path', { class: value === 0 ? 'axis' : null, d: `M${left(value).toFixed(2)} 0v${inner.height}` }),
         s('text', { x: left(value), y: inner.height + 18, 'text-anchor': 'middle' }, plain(value)),
       ]),
@@ -76,18 +77,4 @@ export function drawChart(svg, { width, height, x, y, lines, at, dots }) {
   );
   return (/** @type {number} */ pixels) =>
     Math.min(Math.max((pixels - MARGIN.left) / inner.width, 0), 1) * x.most;
-}
-
-/** @param {number} most @param {number} step */
-function ticks(most, step) {
-  return Array.from({ length: Math.floor(most / step + 1e-9) + 1 }, (_, i) =>
-    Number((i * step).toPrecision(6)),
-  );
-}
-
-/** A step of 1, 2 or 5 times a power of ten, at most `count` of them up to `most`. @param {number} most @param {number} count */
-function niceStep(most, count) {
-  const least = most / Math.max(count, 1);
-  const power = 10 ** Math.floor(Math.log10(least));
-  return (least <= power ? 1 : least <= 2 * power ? 2 : least <= 5 * power ? 5 : 10) * power;
 }

@@ -24,6 +24,9 @@ const COLUMNS = [
   ['gouge', ({ report }) => report.verified?.largest_gouge_mm ?? NaN, format.micron],
 ];
 
+/** Those of which less is better; excess only has to keep within its limit. */
+const RANKED = new Set(['length', 'floor', 'passes', 'time']);
+
 /**
  * @param {HTMLElement} root
  * @param {{ onCompare: () => void, onCancel: () => void, onLay: (id: number) => void, onTake: (draft: Draft) => void,
@@ -44,14 +47,10 @@ export function createRuns(root, { onCompare, onCancel, onLay, onTake, onClear }
     { type: 'button', class: 'small', name: 'clear-runs', onclick: onClear },
     t('runs.clear'),
   );
-  const table = h('table', { class: 'runs' });
+  // Roles are named because the layout is no table's, for which some browsers take them away.
+  const table = h('table', { class: 'runs', role: 'table', 'aria-label': t('runs.title') });
   const floor = h('p', { class: 'help' });
-  const scroll = h(
-    'div',
-    { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': t('runs.title') },
-    table,
-  );
-  root.append(h('p', { class: 'help' }, t('runs.about')), compare, busy, scroll, floor, clear);
+  root.append(h('p', { class: 'help' }, t('runs.about')), compare, busy, table, floor, clear);
   const unfit = h('ul', { class: 'help' });
   root.append(unfit);
   let by = 'length';
@@ -78,7 +77,7 @@ export function createRuns(root, { onCompare, onCancel, onLay, onTake, onClear }
     const least = runs.find((run) => run.floor)?.floor;
     say(floor, least ? t('runs.floor.note', { length: format.length(least) }) : '');
     floor.hidden = !least;
-    scroll.hidden = clear.hidden = runs.length === 0;
+    table.hidden = clear.hidden = runs.length === 0;
     unfit.replaceChildren(
       ...state.unfit.map(({ name, message }) =>
         h('li', {}, `${prettify(name.replaceAll('-', '_'))}: ${message}`),
@@ -88,21 +87,21 @@ export function createRuns(root, { onCompare, onCancel, onLay, onTake, onClear }
       h('caption', {}, t('runs.caption')),
       h(
         'thead',
-        {},
+        { role: 'rowgroup' },
         h(
           'tr',
-          {},
-          h('th', { scope: 'col' }, t('runs.strategy')),
+          { role: 'row' },
+          h('th', { scope: 'col', role: 'columnheader' }, t('runs.strategy')),
           ...used.map(([name]) =>
             h(
               'th',
-              { scope: 'col', 'aria-sort': name === by ? 'ascending' : null },
+              { scope: 'col', role: 'columnheader', 'aria-sort': name === by ? 'ascending' : null },
               h('button', { type: 'button', onclick: () => order(name) }, t(`runs.${name}`)),
             ),
           ),
         ),
       ),
-      h('tbody', {}, ...sorted.map((run) => row(run, used, best, state))),
+      h('tbody', { role: 'rowgroup' }, ...sorted.map((run) => row(run, used, best, state))),
     );
   }
 
@@ -125,12 +124,16 @@ export function createRuns(root, { onCompare, onCancel, onLay, onTake, onClear }
     const isShown = state.planned?.spec === run.draft.spec;
     return h(
       'tr',
-      { class: isShown ? 'shown' : null },
-      h('th', { scope: 'row' }, h('label', { class: 'lay' }, lay, swatch), take),
-      ...used.map(([, value, told], k) => {
+      { role: 'row', class: isShown ? 'shown' : null },
+      h('th', { scope: 'row', role: 'rowheader' }, h('label', { class: 'lay' }, lay, swatch), take),
+      ...used.map(([name, value, told], k) => {
         const number = value(run);
-        const isBest = number === best[k] && k < 4;
-        return h('td', { class: isBest ? 'best' : null }, Number.isFinite(number) ? told(number) : '–');
+        const isBest = RANKED.has(name) && number === best[k] && runsOf(state).length > 1;
+        return h(
+          'td',
+          { role: 'cell', class: isBest ? 'best' : null },
+          Number.isFinite(number) ? told(number) : '–',
+        );
       }),
     );
   }

@@ -72,6 +72,8 @@ impl Lathe {
     /// The job with this lathe's speeds, accelerations and jerks as its limits.
     pub fn limiting(&self, spec: TurningSpec) -> TurningSpec {
         let [x, z, c] = &self.axes;
+        // As they were written: the way by radians leaves a trace in the last digit.
+        let degrees = |x: f64| (x.to_degrees() * 1e6).round() / 1e6;
         let limits = LimitsSpec {
             x_mm_per_s: x.speed,
             x_mm_per_s2: x.acceleration,
@@ -79,9 +81,9 @@ impl Lathe {
             z_mm_per_s: z.speed,
             z_mm_per_s2: z.acceleration,
             z_mm_per_s3: z.jerk,
-            c_rpm: c.speed.to_degrees() / 6.0,
-            c_deg_per_s2: c.acceleration.to_degrees(),
-            c_deg_per_s3: c.jerk.to_degrees(),
+            c_rpm: degrees(c.speed) / 6.0,
+            c_deg_per_s2: degrees(c.acceleration),
+            c_deg_per_s3: degrees(c.jerk),
         };
         TurningSpec { limits, ..spec }
     }

@@ -1,5 +1,6 @@
 //! How far a program that was read back is from the path that it was made of.
 
+use crate::math::angle::angle_between;
 use crate::toolpath::{ClPoint, Toolpath};
 
 /// The largest differences at the ends of the path's moves.
@@ -28,7 +29,7 @@ pub fn deviation(path: &Toolpath, read: &Toolpath) -> Option<Deviation> {
             .enumerate()
             .min_by(|(_, a), (_, b)| off(&a.to, &step.to).total_cmp(&off(&b.to, &step.to)))?;
         worst.tip_mm = worst.tip_mm.max(place.to.tip.distance(step.to.tip));
-        worst.axis_deg = worst.axis_deg.max(place.to.axis.angle_between(step.to.axis).to_degrees());
+        worst.axis_deg = worst.axis_deg.max(angle_between(place.to.axis, step.to.axis).to_degrees());
         // The next may end in the same place.
         left = &left[first + best..];
     }

@@ -5,6 +5,7 @@ use super::names::Names;
 use super::words::{Numbers, Words};
 use super::{Dialect, Layout, MachineProgram, PostError};
 use crate::machine::{AxisMove, Control};
+use crate::math::angle::angle_between;
 use crate::post::digits::{power, push, scaled};
 use crate::post::mark::Marker;
 use crate::toolpath::{ClPoint, Rate};
@@ -181,5 +182,5 @@ const SHORTEST: f64 = 1e-5;
 /// What a feed a minute counts: mm of the tip, or degrees of the tool where the tip stays.
 fn way(from: &ClPoint, to: &ClPoint, layout: &Layout) -> f64 {
     let length = from.tip.distance(to.tip);
-    if length * power(layout.linear) >= 1.0 { length } else { from.axis.angle_between(to.axis).to_degrees() }
+    if length * power(layout.linear) >= 1.0 { length } else { angle_between(from.axis, to.axis).to_degrees() }
 }

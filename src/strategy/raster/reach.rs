@@ -3,6 +3,7 @@
 use super::line::Lowering;
 use crate::contact::{DropMesh, drop_cutter_above, is_in_mesh};
 use crate::geometry::TriMesh;
+use crate::math::angle::direction;
 use crate::monitor::{Cancelled, Stage};
 use glam::{DVec2, DVec3};
 use std::f64::consts::FRAC_PI_4;
@@ -95,9 +96,8 @@ impl Closing {
         }
         let hopeless = p.z + SURE * self.pitch / spot.normal.z;
         let deepest = drop_cutter_above(&self.tips, lowering.under, p.x, p.y, -hopeless)?.point.truncate();
-        let ring = |radius: f64| {
-            (0..8).map(move |i| DVec2::from_angle(f64::from(i) * FRAC_PI_4) * radius * self.pitch)
-        };
+        let ring =
+            |radius: f64| (0..8).map(move |i| direction(f64::from(i) * FRAC_PI_4) * radius * self.pitch);
         std::iter::once(DVec2::ZERO)
             .chain(RINGS.into_iter().flat_map(ring))
             .map(|off| deepest + off)

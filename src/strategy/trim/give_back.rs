@@ -5,7 +5,7 @@
 use super::{PARTS, Place, SAFE, Side, Trim, between, way};
 use crate::math::bvh::Aabb;
 use crate::monitor::{Cancelled, Stage};
-use crate::strategy::left::Moves;
+use crate::strategy::left::{Moves, Part};
 use crate::toolpath::Station;
 use glam::DVec3;
 
@@ -32,8 +32,8 @@ impl Trim<'_> {
     pub(super) fn lost(&self, stage: &Stage) -> Result<Vec<Place>, Cancelled> {
         let setup = &self.family.setup;
         let gone = Moves::of(setup, (0..self.left.len()).filter_map(|k| self.gone(k)).collect());
-        let around = |ends: &[Station; 2]| {
-            let Aabb { lo, hi } = Aabb::around(ends.iter().map(|station| station.cc.point));
+        let around = |part: &Part| {
+            let Aabb { lo, hi } = Aabb::around(part.ends.iter().map(|station| station.cc.point));
             Aabb { lo: lo - self.wide, hi: hi + self.wide }
         };
         let boxes: Vec<Aabb> = gone.all().iter().map(around).collect();
@@ -55,8 +55,8 @@ impl Trim<'_> {
 
     /// What was taken away of a move.
     fn gone(&self, k: usize) -> Option<[Station; 2]> {
-        let [a, b] = self.moves.all()[k];
-        match self.left[k] {
+        let [a, b] = self.moves.all()[k].ends;
+        match self.left[k].map(|part| part.ends) {
             None => Some([a, b]),
             Some([first, last]) if first != a => Some([a, if last == b { first } else { b }]),
             Some([_, last]) => (last != b).then_some([last, b]),
@@ -107,11 +107,11 @@ impl Trim<'_> {
             return;
         };
         let [a, b] = match side {
-            Side::First => [whole[1], whole[0]],
-            Side::Last => whole,
+            Side::First => [whole.ends[1], whole.ends[0]],
+            Side::Last => whole.ends,
         };
         let share =
-            self.enough(&[a, b], top) + SAFE * self.family.setup.strip / way(&whole).max(f64::MIN_POSITIVE);
+            self.enough(&[a, b], top) + SAFE * self.family.setup.strip / whole.way().max(f64::MIN_POSITIVE);
         let end = if share < 1.0 { between(&a, &b, share) } else { b };
         let (inside, kept) = match side {
             Side::First => (number + 1..run.start + 1, [end, a]),
@@ -120,6 +120,6 @@ impl Trim<'_> {
         for k in inside {
             self.left[k] = Some(self.moves.all()[k]);
         }
-        self.left[number] = Some(kept);
+        self.left[number] = Some(self.moves.part(kept));
     }
 }
