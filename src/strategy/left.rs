@@ -13,6 +13,8 @@ use std::ops::Range;
 const LEAF: usize = 4;
 /// The share of the scallop that the search along a move for the place where it comes nearest may miss.
 const MISS: f64 = 0.005;
+/// How far from where they touch it is looked for what moves cut, in strips, the widest of them.
+const WIDE: f64 = 0.75;
 /// Steps of that search at most, each to two thirds of the last.
 const THIRDS: usize = 40;
 
@@ -23,6 +25,8 @@ pub(super) struct Moves<'a> {
     body: Body,
     moves: Vec<Part>,
     tree: Bvh,
+    /// What moves cut so near to the face that it counts is no farther than this from where they touch, mm.
+    wide: f64,
 }
 
 impl<'a> Moves<'a> {
@@ -36,8 +40,12 @@ impl<'a> Moves<'a> {
             moves.iter().map(|ends| Aabb::around(ends.iter().map(|s| s.cc.point))).collect();
         let tree = Bvh::new(&boxes, LEAF);
         let body = Body::new(setup.cutter, &ClPoint { tip: DVec3::ZERO, axis: DVec3::Z });
+        // Half a strip would do, were strips told everywhere.
+        let strips = moves.iter().flatten().filter_map(|station| station.work.strip);
+        let widest = strips.fold(setup.strip, f64::max);
+        let wide = (WIDE * widest).min(2.0 * setup.cutter.largest_radius());
         let moves = moves.into_iter().map(|ends| Part::new(setup, &body, ends)).collect();
-        Self { setup, body, moves, tree }
+        Self { setup, body, moves, tree, wide }
     }
 
     /// All moves, pass after pass.
@@ -48,9 +56,7 @@ impl<'a> Moves<'a> {
     /// Whether more than `limit` (mm, along the normal) is left at `uv`; where there is no normal, nothing is.
     pub(super) fn leave(&self, uv: Uv, limit: f64) -> bool {
         let Some((jet, n)) = self.setup.face.at(uv) else { return false };
-        // What a cutter cuts is no farther from where it touches.
-        let wide = 2.0 * self.setup.cutter.largest_radius();
-        !self.cut((jet.p, jet.p + n * limit), wide, |k| self.moves.get(k))
+        !self.cut((jet.p, jet.p + n * limit), self.wide, |k| self.moves.get(k))
     }
 
     /// Whether what `part` has of one of the moves, by its number, takes away `top`, which stands above `point` on the face. Moves
@@ -116,6 +122,11 @@ impl<'a> Moves<'a> {
             if at_one.min(at_two) > way {
                 return false;
             }
+            // The cutter is convex, and so is the distance along a straight way: lines through two of three places hold it from below.
+            let whole = low <= 0.0 && high >= 1.0;
+            if whole && least([at_one, middle, at_two]) > part.bent {
+                return false;
+            }
             *(if at_one < at_two { &mut high } else { &mut low }) = if at_one < at_two { two } else { one };
         }
         away(0.0) <= 0.0 || away(1.0) <= 0.0
@@ -129,6 +140,14 @@ pub(super) struct Part {
     middle: Body,
     /// Nothing near the bottom moves farther than this from where it is half way, mm.
     most: f64,
+    /// How far a point's way past the cutter is from straight, mm.
+    bent: f64,
+}
+
+/// The least that a convex function on 0 to 1 with these values at 1/3, 1/2 and 2/3 may have.
+fn least([one, middle, two]: [f64; 3]) -> f64 {
+    let between = 2.0 * middle - one.max(two);
+    between.min(3.0 * one - 2.0 * middle).min(3.0 * two - 2.0 * middle)
 }
 
 impl Part {
@@ -138,7 +157,7 @@ impl Part {
         let turn = a.axis.distance(b.axis);
         let lever = cutter.center_radius + 3.0 * cutter.corner_radius;
         let most = 0.5 * (a.tip.distance(b.tip) + turn * lever);
-        let part = Self { ends, middle: *body, most };
+        let part = Self { ends, middle: *body, most, bent: 0.5 * turn * most };
         Self { middle: part.at(cutter, body, 0.5), ..part }
     }
 
@@ -152,5 +171,24 @@ impl Part {
     /// Way of the tip, mm.
     pub(super) fn way(&self) -> f64 {
         self.ends[0].cl.tip.distance(self.ends[1].cl.tip)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_convex_stays_above_what_three_places_say() {
+        for k in 0..200 {
+            let (at, steep) = (0.01 * f64::from(k) - 0.5, 0.3 + 0.02 * f64::from(k % 7));
+            let smooth = |t: f64| 0.2 + steep * (t - at) * (t - at);
+            let kinked = |t: f64| 0.2 + steep * (t - at).abs();
+            for told in [&smooth as &dyn Fn(f64) -> f64, &kinked] {
+                let lowest = (0..=100).map(|i| told(f64::from(i) / 100.0)).fold(f64::INFINITY, f64::min);
+                let bound = least([1.0 / 3.0, 0.5, 2.0 / 3.0].map(told));
+                assert!(bound <= lowest + 1e-12, "{bound} {lowest} {at}");
+            }
+        }
     }
 }
