@@ -179,6 +179,32 @@ test('a bad file says what is wrong and leaves what was loaded', async ({ page }
   await expect(notice).toBeHidden();
 });
 
+test('a file of every format opens, and what is not read names what is', async ({ page }) => {
+  await visit(page);
+  for (const name of [
+    'tigl_D150_wing.igs',
+    'featuretype.STL',
+    'canonical_face_model.obj',
+    'geomdl_ex_surface01.cpt',
+    'curvo_union.json',
+    'mt_bruno_elevation.csv',
+  ]) {
+    await drop(page, [file(name)]);
+    await expect(page.locator('.file .name')).toContainText(name);
+    await expect(page.locator('.notice')).toBeHidden();
+  }
+  const notice = page.locator('.notice');
+  for (const [name, instead] of [
+    ['tigl_face.stp', 'IGES'],
+    ['wavy_mesh_with_hole.ply', 'STL or OBJ'],
+  ]) {
+    await drop(page, [file(name)]);
+    await expect(notice).toContainText(instead);
+    await expect(page.locator('.file .name')).toContainText('mt_bruno_elevation.csv');
+    await notice.getByRole('button').click();
+  }
+});
+
 test('a wrong value is told at its field, by the form and by the planner', async ({ page }) => {
   await visit(page);
   const diameter = page.locator('[data-field="cutter.diameter_mm"]');
