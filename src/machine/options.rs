@@ -5,7 +5,8 @@
 pub struct Tolerance {
     /// The contact from its way across the surface, mm, above 0; the tip from its straight line where the contact is not known.
     pub chord: f64,
-    /// The axis from that of the straight move, radians, above 0.
+    /// The axis from that of the straight move, radians, above 0. Beside a pole, where it swings round while the axis asked for stands
+    /// still, a step of the rotary angles more.
     pub axis: f64,
 }
 

@@ -214,11 +214,12 @@ impl<'a> Family<'a> {
         for round in 0..=GLEANINGS {
             let at = |t: f64| 0.65 + 0.35 * (round as f64 + t) / (GLEANINGS + 1) as f64;
             let part = |name, from, to| stage.part(name, at(from), at(to));
-            let (all, looking) = (passes.iter().flatten(), part(FILL, 0.0, 0.4));
-            let left = match last.take() {
-                Some(looks) => self.still_left(&looks, &Moves::new(&self.setup, all), &looking)?,
-                None => self.left(all, (others, &ridges), &unreached, &looking)?,
+            let (moves, looking) = (Moves::new(&self.setup, passes.iter().flatten()), part(FILL, 0.0, 0.4));
+            let looks = match last.take() {
+                Some(left) => left,
+                None => self.looks(&moves, (others, &ridges), &looking)?,
             };
+            let left = self.left(&looks, &moves, &unreached, &looking)?;
             is_whole = left.is_empty();
             if round == GLEANINGS || (is_whole && is_trimmed) {
                 break;

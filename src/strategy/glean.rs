@@ -7,7 +7,6 @@ use super::places::{Patch, between};
 use super::probe::Probe;
 use crate::geometry::{IsoLine, Uv, Zone};
 use crate::monitor::{Cancelled, Stage};
-use crate::toolpath::Pass;
 use glam::DVec3;
 
 /// Where more than this share of the limit is left, places lie closer together, so many times.
@@ -43,16 +42,14 @@ pub(super) struct Look {
 }
 
 impl Family<'_> {
-    /// The places all over the face, and those of `others` and on `ridges`, where `passes` leave more than the limit, outside of
-    /// `beyond`.
-    pub(super) fn left<'p>(
+    /// Where is looked for what `moves` leave: places all over the face, closer together where much is left, and those of `others`
+    /// and on `ridges`.
+    pub(super) fn looks(
         &self,
-        passes: impl Iterator<Item = &'p Pass>,
+        moves: &Moves,
         (others, ridges): (&[Uv], &[Uv]),
-        beyond: &Zone,
         stage: &Stage,
     ) -> Result<Vec<Look>, Cancelled> {
-        let moves = Moves::new(&self.setup, passes);
         let limit = self.setup.finish.scallop;
         let at = |share: f64| move |uv: Uv| Look { uv, most: share * limit };
         let [plain, close] = self.patches();
@@ -82,21 +79,23 @@ impl Family<'_> {
         looks.extend(high.flat_map(|(ends, _)| along(ends)).map(at(1.0)));
         looks.extend(others.iter().copied().map(at(1.0)));
         looks.extend(ridges.iter().copied().map(at(ON_RIDGE)));
-        looks.retain(|look| !beyond.contains(self.setup.face.surface.point(look.uv)));
-        self.still_left(&looks, &moves, stage)
+        Ok(looks)
     }
 
-    /// Those of `looks` where as much is left after all `moves` as was looked for.
-    pub(super) fn still_left(
+    /// Those of `looks`, outside of `beyond`, where `moves` leave more than they should.
+    pub(super) fn left(
         &self,
         looks: &[Look],
         moves: &Moves,
+        beyond: &Zone,
         stage: &Stage,
     ) -> Result<Vec<Look>, Cancelled> {
         // A posture that is chosen may need a little more lead just here, which its pass then takes.
         let is_chosen = !self.setup.postures.is_fixed();
         let is_left = |Look { uv, most }: Look| {
-            moves.leave(uv, most) && (is_chosen || self.setup.probe(uv, false) != Probe::Blocked)
+            !beyond.contains(self.setup.face.surface.point(uv))
+                && moves.leave(uv, most)
+                && (is_chosen || self.setup.probe(uv, false) != Probe::Blocked)
         };
         let left = stage.map(looks.len(), |k| is_left(looks[k]))?;
         Ok(looks.iter().zip(left).filter(|(_, left)| *left).map(|(&look, _)| look).collect())

@@ -95,7 +95,7 @@ impl<'a> Moves<'a> {
 
     /// Whether the cutter takes `point` away on its way along a part.
     pub(super) fn cuts(&self, part: &Part, point: DVec3) -> bool {
-        let &Part { most, .. } = part;
+        let most = part.most;
         if part.middle.is_clear(point, most) {
             return false;
         }

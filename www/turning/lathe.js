@@ -39,6 +39,9 @@ export function nameOf(text) {
   }
 }
 
+/** What is wrong with a lathe's file, with the name that the file itself has for the place. @param {string} field @param {string} message */
+export const inFile = (field, message) => `${field}: ${message.replace(`${field}: `, '')}`;
+
 /** @param {{ onPick: () => void, onForget: () => void }} callbacks */
 export function createLathe({ onPick, onForget }) {
   const name = h('strong', {});

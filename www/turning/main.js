@@ -18,7 +18,7 @@ import { createCompare, variants } from './compare.js';
 import { createFigures } from './figures.js';
 import { createForm } from './form.js';
 import { createHead } from './head.js';
-import { createLathe, remember } from './lathe.js';
+import { createLathe, inFile, remember } from './lathe.js';
 import { isLink, opened } from './link.js';
 import { createOpener } from './opening.js';
 import { createPicture } from './picture.js';
@@ -117,7 +117,7 @@ function fail(error) {
   if (!(error instanceof PlannerError)) throw error;
   const { code, message, field } = error;
   // What is wrong with a lathe's file has no field here: its own name for it is said.
-  const text = field?.startsWith('axes.') ? `${field}: ${message.replace(`${field}: `, '')}` : message;
+  const text = field?.startsWith('axes.') ? inFile(field, message) : message;
   complain({ code, message: t(`error.${code}`, { message: text }, text), field });
 }
 

@@ -5,7 +5,7 @@
  */
 import { bytes as size } from '../format.js';
 import { PlannerError } from '../protocol.js';
-import { nameOf } from './lathe.js';
+import { inFile, nameOf } from './lathe.js';
 import { t } from './text.js';
 
 /** A table of some million heights. */
@@ -53,5 +53,5 @@ export function createOpener(planner, read, { onSpec, onLathe, onComplaint, onEr
 function ofLathe(error) {
   if (!(error instanceof PlannerError) || !error.field) return error;
   const { code, message, field } = error;
-  return new PlannerError({ code, message: `${field}: ${message.replace(`${field}: `, '')}` });
+  return new PlannerError({ code, message: inFile(field, message) });
 }
