@@ -65,7 +65,7 @@ pub struct Variant {
 }
 
 /// Strategies that the page's first module only names: whoever chooses one of them loads the second.
-pub(super) const SECOND: [&str; 2] = ["flow", "auto"];
+pub(super) const SECOND: [&str; 3] = ["flow", "potential_field", "auto"];
 
 /// One object of the specification.
 #[derive(Debug, Clone, Copy)]
@@ -210,6 +210,22 @@ pub const GROUPS: &[Group] = &[
                 kind: "flow",
                 shapes: &["surface"],
                 fields: &[RULE, LEAD, YAW, LEAST_LEAD, MOST_LEAD, MOST_YAW, TURN_ALONG, TURN_ACROSS, ORDER],
+            },
+            Variant {
+                kind: "potential_field",
+                shapes: &["surface"],
+                fields: &[
+                    number("least_efficiency_percent", "%", [50.0, 100.0], 1.0, 90.0),
+                    RULE,
+                    LEAD,
+                    YAW,
+                    LEAST_LEAD,
+                    MOST_LEAD,
+                    MOST_YAW,
+                    TURN_ALONG,
+                    TURN_ACROSS,
+                    ORDER,
+                ],
             },
             Variant {
                 kind: "auto",

@@ -211,6 +211,11 @@ fn on_face(
             strategy::flow(face, tool, rule, finish, (*order).into(), &passing)?
         }
         #[cfg(feature = "flow")]
+        &StrategySpec::PotentialField { least_efficiency_percent, order, .. } => {
+            let least = 0.01 * least_efficiency_percent;
+            strategy::potential_field(face, tool, least, rule, finish, order.into(), &passing)?
+        }
+        #[cfg(feature = "flow")]
         StrategySpec::Auto { .. } => {
             return Err(JobError::field("strategy.kind", "auto is planned as one of the others".into()));
         }
@@ -336,7 +341,7 @@ impl StrategySpec {
             | Self::ConstantScallop { order, .. }
             | Self::Raster { order, .. } => order,
             #[cfg(feature = "flow")]
-            Self::Flow { order, .. } | Self::Auto { order, .. } => order,
+            Self::Flow { order, .. } | Self::PotentialField { order, .. } | Self::Auto { order, .. } => order,
         }
     }
 
@@ -348,6 +353,8 @@ impl StrategySpec {
             Self::ConstantScallop { .. } => "constant_scallop",
             #[cfg(feature = "flow")]
             Self::Flow { .. } => "flow",
+            #[cfg(feature = "flow")]
+            Self::PotentialField { .. } => "potential_field",
             #[cfg(feature = "flow")]
             Self::Auto { .. } => "auto",
             Self::Raster { .. } => "raster",

@@ -252,6 +252,19 @@ pub enum StrategySpec {
         order: OrderSpec,
     },
     #[cfg(feature = "flow")]
+    PotentialField {
+        least_efficiency_percent: f64,
+        rule: RuleSpec,
+        lead_deg: f64,
+        yaw_deg: f64,
+        least_lead_deg: f64,
+        most_lead_deg: f64,
+        most_yaw_deg: f64,
+        turn_along_deg_per_mm: f64,
+        turn_across_deg_per_mm: f64,
+        order: OrderSpec,
+    },
+    #[cfg(feature = "flow")]
     Auto {
         objective: ObjectiveSpec,
         rule: RuleSpec,

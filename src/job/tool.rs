@@ -88,6 +88,8 @@ impl StrategySpec {
             #[cfg(feature = "flow")]
             Flow,
             #[cfg(feature = "flow")]
+            PotentialField,
+            #[cfg(feature = "flow")]
             Auto
         );
         let posture = Posture { lead: lead.to_radians(), yaw: yaw.to_radians() };

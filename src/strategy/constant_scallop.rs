@@ -11,14 +11,15 @@ mod march;
 mod offset;
 mod upwind;
 
-use super::family::{Family, Laid};
+use super::family::{Candidate, Family, Laid};
 use super::fill;
+use super::follow::{Part, followed};
 use super::iso_planar::mean_normal;
 use super::placing::too_many;
 use super::probe::Setup;
 use super::{Finish, Order, Planned, StrategyError};
 use crate::cutter::Tool;
-use crate::geometry::{Along, Face, Field};
+use crate::geometry::{Along, Face, FaceGrid, Field, Table, Uv};
 use crate::math::frame::Frame;
 use crate::monitor::Stage;
 use crate::posture::Rule;
@@ -97,23 +98,42 @@ pub fn constant_scallop(
 
 /// The passes, and whether they leave nothing; none where they come out longer than `most` (mm).
 pub(super) fn offset_passes(
-    (face, tool): (&Face, &Tool),
-    (from, level, column): &(Field, f64, Field),
+    part: (&Face, &Tool),
+    seed: &(Field, f64, Field),
     rule: &Rule,
     finish: Finish,
     order: Order,
     most: f64,
     stage: &Stage,
 ) -> Result<Option<(Planned, bool)>, StrategyError> {
+    let spacing = stage.part(PLACE, 0.0, 0.75);
+    let (lines, crests) = offset_lines(part, seed, rule, finish, order, &|_, _| true, &spacing)?;
+    let tracks = lines.tracks.iter().flat_map(|track| &track.lines);
+    if tracks.map(|line| line.length(part.0)).sum::<f64>() > most {
+        return Ok(None);
+    }
+    followed(&[lines], &crests, &stage.part("Following the surface", 0.75, 1.0)).map(Some)
+}
+
+/// The lines offset edge to edge from that of `seed`, to either side as long as each `goes_on`; and where they bend much or fronts meet.
+pub(super) fn offset_lines<'a>(
+    (face, tool): (&'a Face, &'a Tool),
+    (from, level, column): &(Field, f64, Field),
+    rule: &Rule,
+    finish: Finish,
+    order: Order,
+    goes_on: &dyn Fn(&Family, &Candidate) -> bool,
+    stage: &Stage,
+) -> Result<(Part<'a>, Vec<Uv>), StrategyError> {
     let finish = finish.with_fine_chords();
     let fields = (from.clone(), column.clone());
-    let mut setup = Setup::new(face, tool, rule, finish, fields, order, &stage.part(TILT, 0.0, 0.05))?;
+    let mut setup = Setup::new(face, tool, rule, finish, fields, order, &stage.part(TILT, 0.0, 0.07))?;
     let offset = Offset::new(&setup, from, *level);
-    let first = offset.solve(&setup, &stage.part(SOLVE, 0.05, 0.1))?;
+    let first = offset.solve(&setup, &stage.part(SOLVE, 0.07, 0.13))?;
     setup = Setup { field: Field::Given(Arc::new(first)), ..setup };
     for round in 0..ROUNDS {
         let part = |from: f64, to: f64| {
-            let at = |t: f64| 0.1 + 0.4 * (round as f64 + t) / ROUNDS as f64;
+            let at = |t: f64| 0.13 + 0.53 * (round as f64 + t) / ROUNDS as f64;
             stage.part(SOLVE, at(from), at(to))
         };
         // Postures follow the passes' direction, which is about right from here on.
@@ -123,24 +143,25 @@ pub(super) fn offset_passes(
         let mended = Fit::new(&setup, &offset, order).mended(&part(0.3, 1.0))?;
         setup = Setup { field: Field::Given(Arc::new(mended)), ..setup };
     }
-    setup.choose(rule, order, &stage.part(TILT, 0.5, 0.52))?;
+    setup.choose(rule, order, &stage.part(TILT, 0.66, 0.69))?;
     let values = offset.values(&setup.field);
     let is_border = values.iter().copied().fold(f64::INFINITY, f64::min) >= -ROUNDING;
     let family = Family::on_grid(setup, order, offset.grid.clone());
-    let (family, placed) =
-        March::new(family, &offset, values).laid(is_border, &stage.part(PLACE, 0.52, 0.7))?;
-    let tracks = fill::tracks(&family, placed, &stage.part(FILL, 0.7, 0.75))?;
-    let lines = tracks.iter().flat_map(|track| &track.lines);
-    if lines.map(|line| line.length(face)).sum::<f64>() > most {
-        return Ok(None);
-    }
+    let (family, placed, own) =
+        March::new(family, &offset, values).laid(is_border, goes_on, &stage.part(PLACE, 0.69, 0.93))?;
+    let tracks = fill::tracks(&family, placed, &stage.part(FILL, 0.93, 1.0))?;
     let crests = crest::places(&family, &offset);
-    family.followed(tracks, &crests, &stage.part("Following the surface", 0.75, 1.0)).map(Some)
+    Ok((Part { family, tracks, own }, crests))
+}
+
+/// At the nodes of `grid`, how far places are from the curve through `points` (mm), with another sign on either side.
+pub(super) fn away_from(face: &Face, grid: &FaceGrid, points: &[DVec3]) -> Result<Vec<f64>, StartError> {
+    curve::seed(face, grid, points, 1.0).map(|(away, _)| away)
 }
 
 /// A field and level whose line is the start curve, and a field that tells places along it apart, for strips that are so wide
 /// on flat ground, mm.
-fn seed(face: &Face, start: &Start, strip: f64) -> Result<(Field, f64, Field), StartError> {
+pub(super) fn seed(face: &Face, start: &Start, strip: f64) -> Result<(Field, f64, Field), StartError> {
     let domain = face.domain();
     Ok(match *start {
         Start::Line { along: Along::V, at } => (Field::U, domain.u.at(at), Field::V),
@@ -155,8 +176,10 @@ fn seed(face: &Face, start: &Start, strip: f64) -> Result<(Field, f64, Field), S
             (Field::Along(across), across.dot(middle), Field::Along(along))
         }
         Start::Curve(ref points) => {
-            let (away, along) = curve::seed(face, points, strip)?;
-            (away, 0.0, along)
+            let grid = offset::grid(face, strip);
+            let (away, along) = curve::seed(face, &grid, points, strip)?;
+            let given = |values: &[f64]| Field::Given(Arc::new(Table::new(domain, &grid, values)));
+            (given(&away), 0.0, given(&along))
         }
     })
 }

@@ -1,24 +1,16 @@
 //! Passes along the level lines of a field, each as far from the last as its strips allow.
 
 use super::fill;
-use super::glean::Look;
-use super::left::Moves;
+use super::follow::{Part, followed};
 use super::placing::too_many;
 use super::probe::{Probe, Reach, Setup};
 use super::spacing::{Front, Toward};
 use super::{Finish, Order, Planned, StrategyError};
-use super::{places, trim, unreached, walk};
 use crate::cutter::Tool;
-use crate::geometry::{Domain, Face, FaceGrid, Field, FieldGrid, IsoLine, Range, Uv, Zone};
-use crate::math::order::{rank, sort_by_key};
+use crate::geometry::{Domain, Face, FaceGrid, Field, FieldGrid, IsoLine, Range};
 use crate::monitor::{Cancelled, Stage};
 use crate::posture::Rule;
-use crate::toolpath::Pass;
 
-/// Rounds in which short passes are added where something is left.
-const GLEANINGS: usize = 6;
-/// Places looked at between the edges of the strips at neighbouring probes.
-const RIDGE: usize = 4;
 /// What a person reads meanwhile.
 const FILL: &str = "Filling gaps";
 
@@ -174,7 +166,7 @@ impl<'a> Family<'a> {
                 continue;
             }
             let (planned, is_whole) =
-                family.followed(tracks, &[], &part("Following the surface", 0.7, 1.0))?;
+                followed(&[Part::whole(family, tracks)], &[], &part("Following the surface", 0.7, 1.0))?;
             let laid = Laid { rule, planned, is_whole };
             if best.as_ref().is_none_or(|best| laid.is_better(best)) {
                 best = Some(laid);
@@ -186,59 +178,6 @@ impl<'a> Family<'a> {
     /// How long the lines of `tracks` are, mm.
     fn length(&self, tracks: &[Candidate]) -> f64 {
         tracks.iter().flat_map(|track| &track.lines).map(|line| line.length(self.setup.face)).sum()
-    }
-
-    /// The passes on `tracks`, and short ones where they leave more than the limit at places all over the face and at
-    /// `others`; and whether in the end nothing is left there.
-    pub(super) fn followed(
-        &self,
-        mut tracks: Vec<Candidate>,
-        others: &[Uv],
-        stage: &Stage,
-    ) -> Result<(Planned, bool), StrategyError> {
-        let mut passes = self.walk(&tracks, &stage.part("Following the surface", 0.0, 0.5))?;
-        if passes.iter().all(Vec::is_empty) {
-            let why = "it gouges at every point in this posture; try more lead, or a smaller cutter";
-            return Err(StrategyError::FitsNowhere(why.into()));
-        }
-        let unreached =
-            unreached::zone(&self.setup, &tracks, &stage.part("Mapping what is unreachable", 0.5, 0.65))?;
-        let edges = places::edges(&tracks);
-        let ridges: Vec<Uv> = edges
-            .iter()
-            .flat_map(|&[a, b]| (0..RIDGE).map(move |k| places::between(a, b, k, RIDGE)))
-            .collect();
-        let (mut is_whole, mut is_trimmed) = (false, false);
-        // Passes that are added leave no more than there was: until some are cut back, only there can there be more.
-        let mut last: Option<Vec<Look>> = None;
-        for round in 0..=GLEANINGS {
-            let at = |t: f64| 0.65 + 0.35 * (round as f64 + t) / (GLEANINGS + 1) as f64;
-            let part = |name, from, to| stage.part(name, at(from), at(to));
-            let (moves, looking) = (Moves::new(&self.setup, passes.iter().flatten()), part(FILL, 0.0, 0.4));
-            let looks = match last.take() {
-                Some(left) => left,
-                None => self.looks(&moves, (others, &ridges), &looking)?,
-            };
-            let left = self.left(&looks, &moves, &unreached, &looking)?;
-            is_whole = left.is_empty();
-            if round == GLEANINGS || (is_whole && is_trimmed) {
-                break;
-            }
-            if is_whole {
-                passes = trim::trimmed(self, &passes, &edges, &part("Cutting passes back", 0.4, 1.0))?;
-                is_trimmed = true;
-                continue;
-            }
-            let short = self.short_lines(&left, round, &part(FILL, 0.4, 0.8))?;
-            passes.extend(self.walk(&short, &part("Following the surface", 0.8, 1.0))?);
-            tracks.extend(short);
-            last = Some(left);
-        }
-        let mut by_level: Vec<_> = tracks.iter().map(|track| track.level).zip(passes).collect();
-        sort_by_key(&mut by_level, |(level, _)| (rank(*level), 0));
-        let passes = by_level.into_iter().flat_map(|(_, passes)| passes).collect();
-        let largest_fit = self.setup.postures.largest_fit();
-        Ok((Planned { passes, unreached, unseen: Zone::empty(), largest_fit }, is_whole))
     }
 
     pub(super) fn front(&self, candidate: &Candidate, toward: Toward) -> Front {
@@ -293,51 +232,6 @@ impl<'a> Family<'a> {
     /// How far inside its ends the levels stay, since a section through the very corner of a face is a point.
     pub(super) fn margin(&self) -> f64 {
         1e-9 * self.levels.length()
-    }
-
-    /// `line`, a piece of one of its level's, with as much more at its ends as the strips there lie aslant: where postures are
-    /// chosen, strips are wide, and what a partial pass is for would lie beside its end.
-    fn extended(&self, line: &IsoLine, reversed: bool) -> IsoLine {
-        let mut nodes = line.nodes.clone();
-        let last = nodes.len() - 1;
-        let place = |whole: &IsoLine| whole.nodes.windows(nodes.len()).position(|w| w[0] == nodes[0]);
-        let found = || self.lines.lines(line.level).into_iter().find_map(|l| place(&l).map(|at| (l, at)));
-        if self.setup.postures.is_fixed() || line.closed {
-            return line.clone();
-        }
-        let Some((whole, at)) = found() else { return line.clone() };
-        let point = |uv: Uv| self.setup.face.surface.point(uv);
-        let along = point(nodes[last]) - point(nodes[last - 1]);
-        let forwards =
-            self.setup.frame(nodes[last], reversed).is_some_and(|(_, frame)| frame.f.dot(along) > 0.0);
-        let ways = |uv| self.setup.ways_across(uv, reversed, 0.0);
-        let mut way = [ways(nodes[0])[usize::from(!forwards)], ways(nodes[last])[usize::from(forwards)]];
-        let (mut first, mut end) = (at, at + last);
-        while first > 0 && way[0] > 0.0 {
-            way[0] -= point(whole.nodes[first]).distance(point(whole.nodes[first - 1]));
-            first -= 1;
-        }
-        while end + 1 < whole.nodes.len() && way[1] > 0.0 {
-            way[1] -= point(whole.nodes[end]).distance(point(whole.nodes[end + 1]));
-            end += 1;
-        }
-        nodes = whole.nodes[first..=end].to_vec();
-        IsoLine { nodes, ..*line }
-    }
-
-    /// The passes on the lines of each of `tracks`.
-    fn walk(&self, tracks: &[Candidate], stage: &Stage) -> Result<Vec<Vec<Pass>>, Cancelled> {
-        stage.map(tracks.len(), |i| {
-            let track = &tracks[i];
-            let pass = |line: &IsoLine| {
-                walk::passes(&self.setup, &self.extended(line, track.reversed), track.reversed)
-            };
-            if track.reversed {
-                track.lines.iter().rev().flat_map(pass).collect::<Vec<_>>()
-            } else {
-                track.lines.iter().flat_map(pass).collect()
-            }
-        })
     }
 }
 

@@ -1,17 +1,17 @@
 //! Passes that follow the widest strips: along the level lines of whichever function of many makes them shortest.
 //!
-//! Lines of one parameter, parallel sections, and functions bent towards the directions of the widest strips are compared by how
-//! long their passes would be ([`super::coarea`]) before any is laid. The best few are laid, and passes offset edge to edge from the best
-//! of their lines; and the shortest is taken.
+//! Lines of one parameter, parallel sections, functions bent towards the directions of the widest strips, and passes offset edge to
+//! edge from lines of those and from lines along the widest strips are compared by how long they would be ([`super::coarea`]) before
+//! any is laid. The best few are laid, and the shortest is taken.
 
 mod bend;
 mod edge_to_edge;
-mod line_field;
 
 use super::coarea::expected_length;
-use super::constant_scallop::offset_passes;
+use super::constant_scallop::{Start, offset_passes, seed};
 use super::family::{Family, Laid};
 use super::iso_planar::mean_normal;
+use super::line_field::LineField;
 use super::placing::too_many;
 use super::potential::Potential;
 use super::{Finish, Order, Planned, StrategyError};
@@ -22,9 +22,8 @@ use crate::math::order::{rank, sort_by_key};
 use crate::monitor::Stage;
 use crate::posture::Rule;
 use bend::{bent, columns};
-use edge_to_edge::{Beginning, beginnings};
+use edge_to_edge::{Line, Starts};
 use glam::DVec3;
-use line_field::LineField;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -36,11 +35,14 @@ const SECTIONS: usize = 12;
 /// How many functions are bent towards the widest strips, and how much: see [`bent`].
 const BENT: usize = 3;
 const SOFT: [f64; 3] = [0.2, 1.0, 10.0];
-/// Where postures are fixed, a function whose passes should come out longer than the best by more than this share is not laid.
-/// Where they are chosen strips keep less to the surface's second order, and all are.
-const WORSE: f64 = 1.08;
-/// How many lines passes are offset from, edge to edge.
-const OFFSET: usize = 2;
+/// Where postures are fixed and some passes leave nothing, others that should come out longer than the shortest by more than this share
+/// are not laid, nor more than so many. Where they are chosen strips keep less to the surface's second order, and all are.
+const WORSE: f64 = 1.05;
+const MOST: usize = 4;
+/// Passes are offset from one line of those functions, and from so many along the widest strips: the best, and the best of what
+/// should come out longer than the last by this share, since most are neighbours of the best.
+const STREAMLINES: usize = 2;
+const OTHER: f64 = 1.003;
 
 /// A function and how long passes along its level lines should be, mm.
 struct Proposal {
@@ -48,6 +50,14 @@ struct Proposal {
     fields: (Field, Field),
     values: Vec<f64>,
     expected: f64,
+}
+
+/// Passes that might be laid.
+enum Way {
+    /// Along the level lines of a function, told apart by another.
+    Levels(Field, Field),
+    /// Offset from a line.
+    From(Line),
 }
 
 /// Passes of `face` along the widest strips, the axis leaning by `rule`.
@@ -64,36 +74,58 @@ pub fn flow(
     let flat = Potential::flat(cutter, &rule, &finish);
     let grid = FaceGrid::new(face, CELL * flat, CELLS[0], CELLS[1]);
     let potential = Potential::new((face, &grid), cutter, &rule, &finish, &looking)?;
-    let mut proposals = proposals(face, &grid, &potential);
-    best_first(&mut proposals);
-    if let (Rule::Fixed(_), Some(best)) = (rule, proposals.first()) {
-        let most = WORSE * best.expected;
-        proposals.retain(|proposal| proposal.expected <= most);
+    let ways = ways((face, &grid), &potential);
+    let (count, shortest) = (ways.len(), ways.first().map_or(0.0, |way| way.0));
+    let mut best: Option<Laid> = None;
+    for (k, (expected, way)) in ways.into_iter().enumerate() {
+        let is_worse = matches!(rule, Rule::Fixed(_)) && (k >= MOST || expected > WORSE * shortest);
+        if is_worse && best.as_ref().is_some_and(|best| best.is_whole) {
+            break;
+        }
+        let at = |k: usize| 0.1 + 0.9 * k as f64 / count as f64;
+        let part = stage.part("Spacing passes", at(k), at(k + 1));
+        let line = match way {
+            Way::Levels(field, column) => {
+                best = Family::improved((face, tool), &rule, finish, (field, column), order, best, &part)?;
+                continue;
+            }
+            Way::From(line) => line,
+        };
+        let seed = match line {
+            Line::Level { fields, level } => (fields.0, level, fields.1),
+            Line::Through(points) => seed(face, &Start::Curve(points), flat)?,
+        };
+        // By which version of the rule passes are shortest hardly depends on the passes.
+        let rules = best.as_ref().map_or_else(|| rule.versions(), |best| vec![best.rule]);
+        for rule in rules {
+            let most = best.as_ref().map_or(f64::INFINITY, |best| best.planned.length());
+            let offset = offset_passes((face, tool), &seed, &rule, finish, order, most, &part)?;
+            let offset = offset.map(|(planned, is_whole)| Laid { planned, is_whole, rule });
+            best = match (offset, best) {
+                (Some(offset), Some(best)) if !offset.is_better(&best) => Some(best),
+                (offset, best) => offset.or(best),
+            };
+        }
     }
-    let domain = face.domain();
-    let is_open = !domain.u.periodic && !domain.v.periodic;
-    let mut begun = if is_open { beginnings(&proposals, (&grid, &domain), &potential) } else { Vec::new() };
-    sort_by_key(&mut begun, |beginning| (rank(beginning.expected), 0));
-    begun.truncate(OFFSET);
-    let count = proposals.len() + begun.len();
-    let part = |k: usize| {
-        let at = |t: f64| 0.1 + 0.9 * (k as f64 + t) / count as f64;
-        stage.part("Spacing passes", at(0.0), at(1.0))
-    };
-    let mut best = None;
-    for (k, Proposal { fields, .. }) in proposals.iter().enumerate() {
-        best = Family::improved((face, tool), &rule, finish, fields.clone(), order, best, &part(k))?;
+    Ok(best.ok_or_else(too_many)?.planned)
+}
+
+/// What might be laid and how long it should be, mm; the shortest first.
+fn ways((face, grid): (&Face, &FaceGrid), potential: &Potential) -> Vec<(f64, Way)> {
+    let proposals = proposals(face, grid, potential);
+    let starts = Starts { face, grid, potential };
+    let mut ways: Vec<(f64, Way)> = Vec::new();
+    let (mut levels, mut streamlines) = (starts.levels(&proposals), starts.streamlines());
+    best_first(&mut levels, |start| start.1);
+    best_first(&mut streamlines, |start| start.1);
+    streamlines.dedup_by(|next, last| next.1 < OTHER * last.1);
+    let lines = levels.into_iter().take(1).chain(streamlines.into_iter().take(STREAMLINES));
+    ways.extend(lines.map(|(line, expected)| (expected, Way::From(line))));
+    for Proposal { fields, expected, .. } in proposals {
+        ways.push((expected, Way::Levels(fields.0, fields.1)));
     }
-    let mut best = best.ok_or_else(too_many)?;
-    for (k, &Beginning { proposal, level, .. }) in begun.iter().enumerate() {
-        let (field, column) = proposals[proposal].fields.clone();
-        let (seed, part) = ((field, level, column), part(proposals.len() + k));
-        let most = best.planned.length();
-        let offset = offset_passes((face, tool), &seed, &best.rule, finish, order, most, &part)?;
-        let offset = offset.map(|(planned, is_whole)| Laid { planned, is_whole, rule: best.rule });
-        best = offset.filter(|offset| offset.is_better(&best)).unwrap_or(best);
-    }
-    Ok(best.planned)
+    best_first(&mut ways, |way| way.0);
+    ways
 }
 
 /// The functions worth laying: the best of each kind.
@@ -111,7 +143,7 @@ fn proposals(face: &Face, grid: &FaceGrid, potential: &Potential) -> Vec<Proposa
         return parameters.into();
     }
     let mut sections: Vec<Proposal> = sections(face).into_iter().map(proposal).collect();
-    best_first(&mut sections);
+    best_first(&mut sections, |section| section.expected);
     let lines = LineField::new(face, grid, potential);
     let given = |values: &[f64]| Field::Given(Arc::new(Table::new(domain, grid, values)));
     let bend = |(from, soft): (&Proposal, f64)| {
@@ -122,12 +154,12 @@ fn proposals(face: &Face, grid: &FaceGrid, potential: &Potential) -> Vec<Proposa
     sort_by_key(&mut plain, |proposal| (rank(proposal.expected), 0));
     let ways = plain.into_iter().take(BENT).flat_map(|from| SOFT.map(|soft| (from, soft)));
     let mut bent: Vec<Proposal> = ways.map(bend).collect();
-    best_first(&mut bent);
+    best_first(&mut bent, |bent| bent.expected);
     bent.into_iter().take(1).chain(sections.into_iter().take(1)).chain(parameters).collect()
 }
 
-fn best_first(proposals: &mut [Proposal]) {
-    sort_by_key(proposals, |proposal| (rank(proposal.expected), 0));
+fn best_first<T>(ways: &mut [T], expected: impl Fn(&T) -> f64) {
+    sort_by_key(ways, |way| (rank(expected(way)), 0));
 }
 
 /// Parallel planes in even steps of direction, each with a function that tells places along its lines apart.

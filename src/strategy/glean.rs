@@ -5,7 +5,7 @@ use super::family::{Candidate, Family};
 use super::left::Moves;
 use super::places::{Patch, between};
 use super::probe::Probe;
-use crate::geometry::{IsoLine, Uv, Zone};
+use crate::geometry::{IsoLine, Uv};
 use crate::monitor::{Cancelled, Stage};
 use glam::DVec3;
 
@@ -36,7 +36,7 @@ const NEARER: f64 = 0.5;
 /// A place where is looked for what passes leave.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Look {
-    uv: Uv,
+    pub(super) uv: Uv,
     /// More than this must not be left there, mm.
     most: f64,
 }
@@ -82,23 +82,23 @@ impl Family<'_> {
         Ok(looks)
     }
 
-    /// Those of `looks`, outside of `beyond`, where `moves` leave more than they should.
+    /// Those of `looks` where `moves` leave more than they should: where the cutter can go, and where it cannot.
     pub(super) fn left(
         &self,
         looks: &[Look],
         moves: &Moves,
-        beyond: &Zone,
         stage: &Stage,
-    ) -> Result<Vec<Look>, Cancelled> {
+    ) -> Result<[Vec<Look>; 2], Cancelled> {
         // A posture that is chosen may need a little more lead just here, which its pass then takes.
         let is_chosen = !self.setup.postures.is_fixed();
-        let is_left = |Look { uv, most }: Look| {
-            !beyond.contains(self.setup.face.surface.point(uv))
-                && moves.leave(uv, most)
-                && (is_chosen || self.setup.probe(uv, false) != Probe::Blocked)
+        let is_blocked = |uv: Uv| !is_chosen && self.setup.probe(uv, false) == Probe::Blocked;
+        let is_left = |Look { uv, most }: Look| moves.leave(uv, most).then(|| is_blocked(uv));
+        let told = stage.map(looks.len(), |k| is_left(looks[k]))?;
+        let of = |blocked: bool| {
+            let found = looks.iter().zip(&told).filter(|(_, told)| **told == Some(blocked));
+            found.map(|(&look, _)| look).collect()
         };
-        let left = stage.map(looks.len(), |k| is_left(looks[k]))?;
-        Ok(looks.iter().zip(left).filter(|(_, left)| *left).map(|(&look, _)| look).collect())
+        Ok([of(false), of(true)])
     }
 
     /// Short lines, with what the cutter does on them, through the places `left` after so many rounds: what is still there then

@@ -9,22 +9,29 @@ mod fill;
 mod finish;
 #[cfg(feature = "flow")]
 mod flow;
+mod follow;
 mod glean;
 mod iso_parametric;
 mod iso_planar;
 mod left;
+#[cfg(feature = "flow")]
+mod line_field;
 mod link;
 mod order;
 mod places;
 mod placing;
 #[cfg(feature = "flow")]
 mod potential;
+#[cfg(feature = "flow")]
+mod potential_field;
 mod probe;
 mod raster;
 mod run_out;
 mod setup;
 mod shorten;
 mod spacing;
+#[cfg(feature = "flow")]
+mod streamlines;
 mod trim;
 mod unreached;
 mod walk;
@@ -39,5 +46,9 @@ pub use link::{IsClear, LOOK, Linked, Linking, Outline, Refuge, link, link_time}
 pub use order::{Side, nearest_next, one_sided};
 #[cfg(feature = "study")]
 pub use potential::Potential;
+#[cfg(feature = "flow")]
+pub use potential_field::potential_field;
 pub use raster::{Raster, RasterError, RasterOptions, raster};
 pub use shorten::shortened;
+#[cfg(feature = "study")]
+pub use streamlines::{PathPoint, Streamlines, Swept};

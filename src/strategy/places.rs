@@ -150,13 +150,13 @@ impl Family<'_> {
 }
 
 /// Pieces of the edges of the strips on `tracks`, where cusps are highest, between neighbouring probes.
-pub(super) fn edges(tracks: &[Candidate]) -> Vec<[Uv; 2]> {
+pub(super) fn edges<'a>(tracks: impl Iterator<Item = &'a Candidate>) -> Vec<[Uv; 2]> {
     let edge = |probe: &Probe, toward| match probe.reach(toward) {
         Some(Reach::To { uv, .. }) => Some(uv),
         _ => None,
     };
     let mut edges = Vec::new();
-    for probes in tracks.iter().flat_map(|track| &track.probes) {
+    for probes in tracks.flat_map(|track| &track.probes) {
         for toward in [Toward::Higher, Toward::Lower] {
             let pieces = probes.windows(2);
             edges.extend(pieces.filter_map(|w| Some([edge(&w[0], toward)?, edge(&w[1], toward)?])));

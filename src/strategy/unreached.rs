@@ -11,21 +11,26 @@ const FINE: usize = 3;
 /// Most cells a side of the map.
 const MOST: usize = 400;
 
-/// Where the cutter cannot go around the blocked probes of `tracks`, and a rim beside it where its strips end.
+/// Where the cutter cannot go around the blocked probes of `tracks` and around `others`, and a rim beside it where its strips end.
 ///
-/// A spot that is blocked but lies between the lines, met by none of them, is finished by the strips on either side, and
-/// is no part of the zone.
-pub(super) fn zone(setup: &Setup, tracks: &[Candidate], stage: &Stage) -> Result<Zone, Cancelled> {
+/// A spot that is blocked but lies between the lines, met by none of them, may be finished by the strips on either side, and
+/// is no part of the zone then.
+pub(super) fn zone<'a>(
+    setup: &Setup,
+    tracks: impl Iterator<Item = &'a Candidate>,
+    others: impl Iterator<Item = Uv>,
+    stage: &Stage,
+) -> Result<Zone, Cancelled> {
     let map = Map { setup, grid: FaceGrid::new(setup.face, 0.5 * setup.strip, 24, MOST) };
     let blocked = tracks
-        .iter()
         .flat_map(|track| track.lines.iter().zip(&track.probes))
         .flat_map(|(line, probes)| line.nodes.iter().zip(probes))
         .filter(|(_, probe)| **probe == Probe::Blocked)
-        .map(|(&uv, _)| map.grid.cell_at(uv));
+        .map(|(&uv, _)| uv);
+    let seeds_at = blocked.chain(others).map(|uv| map.grid.cell_at(uv));
     // Extended and not collected: that would bring a sort of its own into the page's module.
     let mut seeds = BTreeSet::new();
-    seeds.extend(blocked);
+    seeds.extend(seeds_at);
     if seeds.is_empty() {
         return Ok(Zone::empty());
     }

@@ -1,10 +1,8 @@
 //! A start curve through given points: how far from it every place of a face lies, and abreast of what of it.
 
-use super::offset::grid;
 use super::upwind::Upwind;
-use crate::geometry::{Face, FaceGrid, Field, Fronts, Range, Table, Uv};
+use crate::geometry::{Face, FaceGrid, Fronts, Range, Uv};
 use glam::DVec3;
-use std::sync::Arc;
 
 /// Why a start curve is none.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -81,21 +79,25 @@ struct Marks {
     along: f64,
 }
 
-/// A field that is 0 on the curve through `points` and changes by one over `strip` (mm), with another sign on either side, and
-/// one that tells places along the curve apart: the way along it, mm, carried off it.
+/// At the nodes of `grid` a function that is 0 on the curve through `points` and changes by one over `strip` (mm), with another sign on
+/// either side, and one that tells places along the curve apart: the way along it, mm, carried off it.
 ///
 /// Each point counts by its nearest one on the face. Between them the curve is straight in the parameters; an open one goes on
 /// so until it leaves the face, and one whose last point is its first is closed.
-pub(super) fn seed(face: &Face, points: &[DVec3], strip: f64) -> Result<(Field, Field), StartError> {
-    let (domain, grid) = (face.domain(), grid(face, strip));
-    let curve = Curve::new(face, &grid, points)?;
+pub(super) fn seed(
+    face: &Face,
+    grid: &FaceGrid,
+    points: &[DVec3],
+    strip: f64,
+) -> Result<(Vec<f64>, Vec<f64>), StartError> {
+    let curve = Curve::new(face, grid, points)?;
     let fronts = &curve.fronts;
     let Marks { cuts, near, .. } = curve.marks();
     let sides = sides(fronts, &cuts).ok_or(StartError::Undivided)?;
     let seeds = near.iter().enumerate().filter(|(_, near)| near.0.is_finite());
     let seeds: Vec<(usize, f64)> = seeds.map(|(node, near)| (node, near.0 / strip)).collect();
     let times = fronts.times(&seeds, &vec![1.0 / strip; sides.len()]);
-    let upwind = Upwind::new(fronts, &grid, &times, 1.0);
+    let upwind = Upwind::new(fronts, grid, &times, 1.0);
     let columns = upwind.carried(|node| Some(near[fronts.first(node)].1).filter(|along| along.is_finite()));
     let away = |(node, time): (usize, &f64)| if *time < ON { 0.0 } else { time * sides[fronts.first(node)] };
     let away: Vec<f64> = times.iter().enumerate().map(away).collect();
@@ -103,8 +105,7 @@ pub(super) fn seed(face: &Face, points: &[DVec3], strip: f64) -> Result<(Field, 
     if away.iter().all(|x| *x > 0.0) || away.iter().all(|x| *x < 0.0) {
         return Err(StartError::Undivided);
     }
-    let given = |values: &[f64]| Field::Given(Arc::new(Table::new(domain, &grid, values)));
-    Ok((given(&away), given(&columns)))
+    Ok((away, columns))
 }
 
 impl<'a> Curve<'a> {

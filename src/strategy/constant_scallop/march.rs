@@ -33,6 +33,8 @@ const MOST: f64 = 0.3;
 const BESIDE: f64 = 0.485;
 /// The least step of whole passes, in strips; beyond that partial passes fill in.
 const LEAST: f64 = 0.2;
+/// How far beyond the last of passes that do not go on the face is theirs, in strips: others run on into its strip.
+const OWN: f64 = 0.2;
 /// How often a pass that leaves something open is moved back as a whole.
 const SETTLINGS: usize = 12;
 /// What partial passes cost, as a share of a whole pass: at least, to begin with, and for the share of columns they are for,
@@ -60,15 +62,16 @@ impl<'a, 'b> March<'a, 'b> {
         Self { family, offset, values }
     }
 
-    /// The family, and its passes in the order of their levels.
+    /// The family, its passes in the order of their levels, as far as each `goes_on`, and between which levels the face is theirs.
     ///
     /// From a border the first pass is a half strip inside it; from any other start curve it runs along that; and where
     /// fronts run round the face and meet again, beside it.
     pub(super) fn laid(
         mut self,
         is_border: bool,
+        goes_on: &dyn Fn(&Family, &Candidate) -> bool,
         stage: &Stage,
-    ) -> Result<(Family<'a>, Vec<Candidate>), StrategyError> {
+    ) -> Result<(Family<'a>, Vec<Candidate>, [f64; 2]), StrategyError> {
         let first = if self.offset.is_round {
             self.family.candidate(BESIDE, 0, Detail::Full, &stage.quiet())?
         } else if is_border {
@@ -77,36 +80,44 @@ impl<'a, 'b> March<'a, 'b> {
             self.family.candidate(0.0, 0, Detail::Full, &stage.quiet())?
         };
         let mut levels = Vec::new();
+        let mut own = [f64::NEG_INFINITY, f64::INFINITY];
         if !is_border && !self.offset.is_round {
-            levels = self.run(&first, Toward::Lower, &stage.part(PHASE, 0.0, 0.5))?;
+            own[0] = self.run(&first, Toward::Lower, &mut levels, goes_on, &stage.part(PHASE, 0.0, 0.5))?;
             levels.reverse();
         }
         levels.push(first.level);
         let here = levels.len() - 1;
-        levels.extend(self.run(&first, Toward::Higher, &stage.part(PHASE, 0.5, 1.0))?);
+        own[1] = self.run(&first, Toward::Higher, &mut levels, goes_on, &stage.part(PHASE, 0.5, 1.0))?;
         let index = |i: usize| here % 2 + i;
         let placed = levels
             .iter()
             .enumerate()
             .map(|(i, &level)| self.family.candidate(level, index(i), Detail::Full, &stage.quiet()));
         let placed = placed.collect::<Result<_, _>>()?;
-        Ok((self.family, placed))
+        Ok((self.family, placed, own))
     }
 
-    /// The levels of the passes after `first` towards one side.
-    fn run(&mut self, first: &Candidate, toward: Toward, stage: &Stage) -> Result<Vec<f64>, StrategyError> {
-        let sign = if toward == Toward::Higher { 1.0 } else { -1.0 };
+    /// Appends the levels of the passes after `first` towards one side, as far as each `goes_on`; and up to which level the face is
+    /// theirs there.
+    fn run(
+        &mut self,
+        first: &Candidate,
+        toward: Toward,
+        levels: &mut Vec<f64>,
+        goes_on: &dyn Fn(&Family, &Candidate) -> bool,
+        stage: &Stage,
+    ) -> Result<f64, StrategyError> {
+        let (sign, before) = (if toward == Toward::Higher { 1.0 } else { -1.0 }, levels.len());
         let fronts = Fronts::new(&self.offset.domain, &self.offset.grid);
         let upwind = Upwind::new(&fronts, &self.offset.grid, &self.values, sign);
-        let mut levels = Vec::new();
         let mut last = self.family.candidate(first.level, 0, Detail::Full, &stage.quiet())?;
         loop {
             stage.at((last.level - first.level).abs() / self.family.levels.length())?;
             let end = if sign > 0.0 { self.family.levels.hi } else { self.family.levels.lo };
             if self.family.ends_family(&last, toward) || sign * (end - last.level) <= self.family.margin() {
-                return Ok(levels);
+                return Ok(sign * f64::INFINITY);
             }
-            let index = levels.len() + 1;
+            let index = levels.len() - before + 1;
             if index >= MOST_PASSES {
                 return Err(too_many());
             }
@@ -114,9 +125,12 @@ impl<'a, 'b> March<'a, 'b> {
                 // Where fronts meet there is no border to end at, and short passes take what is left.
                 let end = self.family.last_toward(&last, toward, index, &stage.quiet())?;
                 levels.extend(end.map(|end| end.level));
-                return Ok(levels);
+                return Ok(sign * f64::INFINITY);
             }
             let next = self.next(&last, toward, index, &upwind, stage)?;
+            if !goes_on(&self.family, &next) {
+                return Ok(last.level + sign * OWN);
+            }
             levels.push(next.level);
             last = next;
         }

@@ -1,7 +1,7 @@
 //! A function on a face bent so that passes along its level lines have wide strips and lie edge to edge.
 
-use super::line_field::LineField;
 use crate::geometry::{Domain, FaceGrid, GradientFit, Wish, triangles};
+use crate::strategy::line_field::LineField;
 use crate::strategy::potential::Potential;
 
 /// Rounds in which the function comes to agree with the directions that it is bent towards.

@@ -1,9 +1,11 @@
 //! Functions whose level lines lie edge to edge from one level line of another function on.
 
 use super::Proposal;
-use crate::geometry::{Domain, FaceGrid, Fronts, triangles};
+use crate::geometry::{Domain, Face, FaceGrid, Field, Fronts, triangles};
 use crate::strategy::coarea::expected_length;
+use crate::strategy::constant_scallop::away_from;
 use crate::strategy::potential::Potential;
+use crate::strategy::streamlines::Streamlines;
 use glam::DVec3;
 
 /// Where in the range of a function lines to start from are looked for: its ends are borders, or points.
@@ -11,34 +13,65 @@ const STARTS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 /// Rounds in which directions and widths come to agree.
 const ROUNDS: usize = 4;
 
-/// A level line of a proposal from which passes could be offset edge to edge, and how long these should be, mm.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Beginning {
-    /// The number of the proposal.
-    pub(super) proposal: usize,
-    pub(super) level: f64,
-    pub(super) expected: f64,
+/// A line from which passes could be offset edge to edge.
+#[derive(Debug, Clone)]
+pub(super) enum Line {
+    /// The one at a level of a function, which another tells places apart on.
+    Level { fields: (Field, Field), level: f64 },
+    /// The one through these points.
+    Through(Vec<DVec3>),
 }
 
-/// The lines of `proposals` that passes could begin with, on a face without seams.
-pub(super) fn beginnings(
-    proposals: &[Proposal],
-    (grid, domain): (&FaceGrid, &Domain),
-    potential: &Potential,
-) -> Vec<Beginning> {
-    let mut found = Vec::new();
-    for (proposal, Proposal { values, .. }) in proposals.iter().enumerate() {
-        let low = values.iter().copied().fold(f64::INFINITY, f64::min);
-        let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        for share in STARTS {
-            let level = low + (high - low) * share;
-            if let Some(values) = offset((grid, domain), potential, values, level) {
-                let expected = expected_length(grid, domain, potential, &values);
-                found.push(Beginning { proposal, level, expected });
+/// A face on which lines to start from are looked for.
+pub(super) struct Starts<'a> {
+    pub(super) face: &'a Face,
+    pub(super) grid: &'a FaceGrid,
+    pub(super) potential: &'a Potential,
+}
+
+impl Starts<'_> {
+    /// Level lines of `proposals`, each with how long the passes offset from it should be, mm; none of a function that goes round the
+    /// face, whose lines do not divide it.
+    pub(super) fn levels(&self, proposals: &[Proposal]) -> Vec<(Line, f64)> {
+        let mut found = Vec::new();
+        let domain = self.face.domain();
+        let goes_round = |field: &Field| match field {
+            Field::U => domain.u.periodic,
+            Field::V => domain.v.periodic,
+            Field::Along(_) | Field::Given(_) => false,
+        };
+        for Proposal { fields, values, .. } in proposals.iter().filter(|p| !goes_round(&p.fields.0)) {
+            let low = values.iter().copied().fold(f64::INFINITY, f64::min);
+            let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            for level in STARTS.map(|share| low + (high - low) * share) {
+                if let Some(expected) = self.expected(values, level) {
+                    found.push((Line::Level { fields: fields.clone(), level }, expected));
+                }
             }
         }
+        found
     }
-    found
+
+    /// Lines along the widest strips, each with how long the passes offset from it should be, mm.
+    pub(super) fn streamlines(&self) -> Vec<(Line, f64)> {
+        let mut found = Vec::new();
+        for line in Streamlines::new(self.face, self.grid, self.potential).initial(&|_| false) {
+            let points: Vec<DVec3> = line.points.iter().map(|point| point.p).collect();
+            // Lines that wind, or run into themselves, divide nothing.
+            let away = away_from(self.face, self.grid, &points);
+            if let Some(expected) = away.ok().and_then(|away| self.expected(&away, 0.0)) {
+                found.push((Line::Through(points), expected));
+            }
+        }
+        found
+    }
+
+    /// How long passes offset from the line of `values` at `level` should be, mm; `None` where it is a point.
+    fn expected(&self, values: &[f64], level: f64) -> Option<f64> {
+        let domain = self.face.domain();
+        let values = offset((self.grid, &domain), self.potential, values, level)?;
+        Some(expected_length(self.grid, &domain, self.potential, &values))
+    }
 }
 
 /// The function that is 0 on the line of `values` at `level` and rises by about one over every strip; `None` where that line is a

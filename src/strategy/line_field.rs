@@ -1,8 +1,8 @@
 //! Where on a face feed should run: the directions of the widest strips, evened out.
 
+use super::potential::Potential;
 use crate::geometry::{Face, FaceGrid, Fronts, Triangle};
-use crate::strategy::potential::Potential;
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DVec2, DVec3};
 
 /// How often directions are evened out with their neighbours'.
 const ROUNDS: usize = 8;
@@ -43,13 +43,19 @@ impl LineField {
     /// and how much it matters: the share by which strips are wider along the feed than across it.
     pub(super) fn rise(&self, triangle: &Triangle, rise: DVec3) -> (DVec3, f64) {
         let side = triangle.normal.normalize_or_zero().cross(rise);
-        let tensor = triangle.nodes.iter().fold(DMat3::ZERO, |sum, &k| sum + self.0[k]) * (1.0 / 3.0);
-        let (across, along) = (tensor * rise, tensor * side);
-        let (difference, mixed) = (along.dot(side) - across.dot(rise), 2.0 * across.dot(side));
+        let (along, matters) = self.along(&triangle.nodes.map(|k| (k, 1.0 / 3.0)), side, rise);
+        (rise * along.x - side * along.y, matters)
+    }
+
+    /// Where feed should run, as the shares of the unit vectors `side` and `aside` (square to it) whose sum it is, the first not below
+    /// 0; and how much it matters. Of the weighted mean of what is at the nodes.
+    pub(super) fn along(&self, nodes: &[(usize, f64)], side: DVec3, aside: DVec3) -> (DVec2, f64) {
+        let tensor = nodes.iter().fold(DMat3::ZERO, |sum, &(k, weight)| sum + self.0[k] * weight);
+        let (along, across) = (tensor * side, tensor * aside);
+        let (difference, mixed) = (along.dot(side) - across.dot(aside), 2.0 * along.dot(aside));
         // Half the angle by which the principal direction is turned off the side.
-        let angle = 0.5 * libm::atan2(mixed, difference);
-        let (s, c) = libm::sincos(angle);
-        (rise * c - side * s, libm::hypot(difference, mixed))
+        let (s, c) = libm::sincos(0.5 * libm::atan2(mixed, difference));
+        (DVec2::new(c, s), libm::hypot(difference, mixed))
     }
 }
 

@@ -1,0 +1,162 @@
+//! From lines to passes: walked along, looked over for what they leave, and cut back at their ends.
+
+use super::family::{Candidate, Family};
+use super::glean::Look;
+use super::left::Moves;
+use super::{Planned, StrategyError};
+use super::{places, trim, unreached, walk};
+use crate::geometry::{IsoLine, Uv, Zone};
+use crate::math::order::{rank, sort_by_key};
+use crate::monitor::{Cancelled, Stage};
+use crate::toolpath::Pass;
+
+/// Rounds in which short passes are added where something is left.
+const GLEANINGS: usize = 6;
+/// Places looked at between the edges of the strips at neighbouring probes.
+const RIDGE: usize = 4;
+/// What a person reads meanwhile.
+const FILL: &str = "Filling gaps";
+
+/// Lines of one family that passes follow.
+pub(super) struct Part<'a> {
+    pub(super) family: Family<'a>,
+    pub(super) tracks: Vec<Candidate>,
+    /// Levels: what lies between them is this part's, unless one before it has it.
+    pub(super) own: [f64; 2],
+}
+
+impl<'a> Part<'a> {
+    /// All of a face.
+    pub(super) fn whole(family: Family<'a>, tracks: Vec<Candidate>) -> Self {
+        Self { family, tracks, own: [f64::NEG_INFINITY, f64::INFINITY] }
+    }
+
+    /// Whether what is at `uv` lies between its levels.
+    pub(super) fn has(&self, uv: Uv) -> bool {
+        let setup = &self.family.setup;
+        let level = setup.field.value(uv, setup.face.surface.point(uv));
+        (self.own[0]..=self.own[1]).contains(&level)
+    }
+}
+
+/// The passes on the lines of `parts`, and short ones where they leave more than the limit at places all over the face and at
+/// `others`; and whether in the end nothing is left there. What no part has is the first one's.
+pub(super) fn followed(
+    parts: &[Part],
+    others: &[Uv],
+    stage: &Stage,
+) -> Result<(Planned, bool), StrategyError> {
+    let walking = stage.part("Following the surface", 0.0, 0.5);
+    let mut passes = Vec::new();
+    // The part and the level of each.
+    let mut ways = Vec::new();
+    for (k, part) in parts.iter().enumerate() {
+        passes.extend(part.family.walk(&part.tracks, &walking)?);
+        ways.extend(part.tracks.iter().map(|track| (k, track.level)));
+    }
+    if passes.iter().all(Vec::is_empty) {
+        let why = "it gouges at every point in this posture; try more lead, or a smaller cutter";
+        return Err(StrategyError::FitsNowhere(why.into()));
+    }
+    let Family { setup, .. } = &parts[0].family;
+    let tracks = || parts.iter().flat_map(|part| &part.tracks);
+    let mapping = stage.part("Mapping what is unreachable", 0.5, 0.65);
+    let mut unreached = None;
+    let edges = places::edges(tracks());
+    let ridges: Vec<Uv> =
+        edges.iter().flat_map(|&[a, b]| (0..RIDGE).map(move |k| places::between(a, b, k, RIDGE))).collect();
+    let first = &parts[0].family;
+    let (mut is_whole, mut is_trimmed) = (false, false);
+    // Passes that are added leave no more than there was: until some are cut back, only there can there be more.
+    let mut last: Option<Vec<Look>> = None;
+    for round in 0..=GLEANINGS {
+        let at = |t: f64| 0.65 + 0.35 * (round as f64 + t) / (GLEANINGS + 1) as f64;
+        let part = |name, from, to| stage.part(name, at(from), at(to));
+        let (moves, looking) = (Moves::new(setup, passes.iter().flatten()), part(FILL, 0.0, 0.4));
+        let looks = match last.take() {
+            Some(left) => left,
+            None => first.looks(&moves, (others, &ridges), &looking)?,
+        };
+        let [mut left, blocked] = first.left(&looks, &moves, &looking)?;
+        let zone = match unreached.take() {
+            Some(zone) => zone,
+            None => unreached::zone(setup, tracks(), blocked.iter().map(|look| look.uv), &mapping)?,
+        };
+        left.retain(|look| !zone.contains(setup.face.surface.point(look.uv)));
+        unreached = Some(zone);
+        is_whole = left.is_empty();
+        if round == GLEANINGS || (is_whole && is_trimmed) {
+            break;
+        }
+        if is_whole {
+            passes = trim::trimmed(first, &passes, &edges, &part("Cutting passes back", 0.4, 1.0))?;
+            is_trimmed = true;
+            continue;
+        }
+        let owner = |look: &Look| parts.iter().position(|part| part.has(look.uv)).unwrap_or(0);
+        for (k, Part { family, .. }) in parts.iter().enumerate() {
+            let own: Vec<Look> = left.iter().filter(|look| owner(look) == k).copied().collect();
+            let short = family.short_lines(&own, round, &part(FILL, 0.4, 0.8))?;
+            passes.extend(family.walk(&short, &part("Following the surface", 0.8, 1.0))?);
+            ways.extend(short.iter().map(|track| (k, track.level)));
+        }
+        last = Some(left);
+    }
+    let mut by_level: Vec<_> = ways.into_iter().zip(passes).collect();
+    sort_by_key(&mut by_level, |((_, level), _)| (rank(*level), 0));
+    let mut sorted = Vec::new();
+    for k in 0..parts.len() {
+        let own = by_level.iter_mut().filter(|((part, _), _)| *part == k);
+        own.for_each(|(_, passes)| sorted.append(passes));
+    }
+    let largest_fit = setup.postures.largest_fit();
+    let unreached = unreached.unwrap_or_else(Zone::empty);
+    Ok((Planned { passes: sorted, unreached, unseen: Zone::empty(), largest_fit }, is_whole))
+}
+
+impl Family<'_> {
+    /// `line`, a piece of one of its level's, with as much more at its ends as the strips there lie aslant: where postures are
+    /// chosen, strips are wide, and what a partial pass is for would lie beside its end.
+    fn extended(&self, line: &IsoLine, reversed: bool) -> IsoLine {
+        let mut nodes = line.nodes.clone();
+        let last = nodes.len() - 1;
+        let place = |whole: &IsoLine| whole.nodes.windows(nodes.len()).position(|w| w[0] == nodes[0]);
+        let found = || self.lines.lines(line.level).into_iter().find_map(|l| place(&l).map(|at| (l, at)));
+        if self.setup.postures.is_fixed() || line.closed {
+            return line.clone();
+        }
+        let Some((whole, at)) = found() else { return line.clone() };
+        let point = |uv: Uv| self.setup.face.surface.point(uv);
+        let along = point(nodes[last]) - point(nodes[last - 1]);
+        let forwards =
+            self.setup.frame(nodes[last], reversed).is_some_and(|(_, frame)| frame.f.dot(along) > 0.0);
+        let ways = |uv| self.setup.ways_across(uv, reversed, 0.0);
+        let mut way = [ways(nodes[0])[usize::from(!forwards)], ways(nodes[last])[usize::from(forwards)]];
+        let (mut first, mut end) = (at, at + last);
+        while first > 0 && way[0] > 0.0 {
+            way[0] -= point(whole.nodes[first]).distance(point(whole.nodes[first - 1]));
+            first -= 1;
+        }
+        while end + 1 < whole.nodes.len() && way[1] > 0.0 {
+            way[1] -= point(whole.nodes[end]).distance(point(whole.nodes[end + 1]));
+            end += 1;
+        }
+        nodes = whole.nodes[first..=end].to_vec();
+        IsoLine { nodes, ..*line }
+    }
+
+    /// The passes on the lines of each of `tracks`.
+    fn walk(&self, tracks: &[Candidate], stage: &Stage) -> Result<Vec<Vec<Pass>>, Cancelled> {
+        stage.map(tracks.len(), |i| {
+            let track = &tracks[i];
+            let pass = |line: &IsoLine| {
+                walk::passes(&self.setup, &self.extended(line, track.reversed), track.reversed)
+            };
+            if track.reversed {
+                track.lines.iter().rev().flat_map(pass).collect::<Vec<_>>()
+            } else {
+                track.lines.iter().flat_map(pass).collect()
+            }
+        })
+    }
+}
