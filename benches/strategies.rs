@@ -1,6 +1,6 @@
 //! All strategies on surfaces of every kind, beside the floor that no path of their posture can stay below; every row proven from its
-//! text. R1 = 3 mm, r = 2 mm, h = 0.01 mm; the lead is 5°, or what fits into
-//! hollows that need more. Words after `--` choose surfaces; `matched` and `widest` choose the posture.
+//! text. R1 = 3 mm, r = 2 mm, h = 0.01 mm; the lead is 5°, or what fits into hollows that need more. The sculptured patch has the cutter
+//! of the paper of 2013, R1 = 12.5 mm, r = 3 mm, and its lead matched to the curvature. Words after `--` choose surfaces; `matched` and `widest` choose the posture.
 
 use serde_json::{Value, json};
 use std::num::NonZeroUsize;
@@ -14,6 +14,11 @@ fn patch(size: f64, z: impl Fn(f64, f64) -> f64) -> Value {
     let net = (0..7).flat_map(|i| (0..7).map(move |j| (at(i), at(j))));
     let points: Vec<[f64; 3]> = net.map(|(x, y)| [size * x, size * y, z(x, y)]).collect();
     json!({"kind": "nurbs", "degrees": [3, 3], "knots_u": knots, "knots_v": knots, "points_mm": points})
+}
+
+/// 100 × 100 mm that bend along their diagonals, with a hill: the paper of 2013 gives no data for its patch.
+fn sculptured() -> Value {
+    patch(100.0, |x, y| 70.0 * x * y + 6.0 * libm::sin(3.0 * x + 1.0) * libm::cos(3.0 * y))
 }
 
 /// Name, source and lead in degrees.
@@ -45,6 +50,7 @@ fn surfaces() -> Vec<(&'static str, Value, i32)> {
         ("hump", patch(50.0, |x, y| 7.0 * libm::exp(-14.0 * (x * x + y * y))), 5),
         ("blade", of_gallery(1), 5),
         ("ring", json!({"kind": "torus", "major_mm": 30, "minor_mm": 12, "angle_deg": [40, 360]}), 15),
+        ("sculptured", sculptured(), 5),
         ("net", net(1.0), 5),
         ("hollow net", net(-1.0), 30),
     ]
@@ -68,11 +74,14 @@ fn main() {
 
 #[allow(clippy::print_stdout)]
 fn compare(name: &str, source: &Value, lead: i32, rule: &str) {
+    // On the patch of the paper's size its cutter: R = 12.5 mm as the radius of the centre circle.
+    let [diameter, corner, height] = if name == "sculptured" { [31, 3, 60] } else { [10, 2, 40] };
+    let rule = if name == "sculptured" && rule == "fixed" { "matched" } else { rule };
     let spec = json!({
         "version": 1,
         "name": name,
         "source": source,
-        "cutter": {"kind": "bull_nose", "diameter_mm": 10, "corner_radius_mm": 2, "height_mm": 40},
+        "cutter": {"kind": "bull_nose", "diameter_mm": diameter, "corner_radius_mm": corner, "height_mm": height},
         "strategy": {"kind": "flow", "rule": rule, "lead_deg": lead},
         "tolerance": {"scallop_mm": 0.01},
     });

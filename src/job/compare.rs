@@ -24,7 +24,7 @@ pub struct Contender {
 }
 
 /// The jobs that differ from `spec` in their strategy alone, postures and order being as there: for a mesh parallel sections in four
-/// directions; else both parameters, parallel sections in six, constant scallop from each border, and flow.
+/// directions; else both parameters, parallel sections in six, constant scallop from each border, the potential field, and flow.
 pub fn contenders(spec: &Spec, bytes: Option<&[u8]>) -> Result<Vec<Contender>, JobError> {
     let (shape, _) = spec.source.shape(bytes)?;
     let whole: Value = serde_json::from_str(&spec.to_json()).unwrap_or_default();
@@ -58,6 +58,7 @@ pub fn contenders(spec: &Spec, bytes: Option<&[u8]>) -> Result<Vec<Contender>, J
         let settings = json!({"kind": "constant_scallop", "start": start});
         all.push(with(&format!("constant-scallop-{}", start.replace('_', "-")), settings)?);
     }
+    all.push(with("potential-field", json!({"kind": "potential_field"}))?);
     all.push(with("flow", json!({"kind": "flow"}))?);
     Ok(all)
 }

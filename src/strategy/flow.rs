@@ -35,10 +35,13 @@ const SECTIONS: usize = 12;
 /// How many functions are bent towards the widest strips, and how much: see [`bent`].
 const BENT: usize = 3;
 const SOFT: [f64; 3] = [0.2, 1.0, 10.0];
-/// Where postures are fixed and some passes leave nothing, others that should come out longer than the shortest by more than this share
-/// are not laid, nor more than so many. Where they are chosen strips keep less to the surface's second order, and all are.
-const WORSE: f64 = 1.05;
+/// Once some passes leave nothing, others that should come out longer than the shortest by more than this share are not laid, nor more
+/// than so many: where postures are fixed; and where they are chosen, since strips keep less to the surface's second order then. With
+/// yaws that are chosen too, hardly at all: everything is laid.
+const WORSE: [f64; 2] = [1.05, 1.3];
 const MOST: usize = 4;
+/// Where postures are chosen, passes offset from a line must promise to be this share of any others.
+const BENDS: f64 = 0.9;
 /// Passes are offset from one line of those functions, and from so many along the widest strips: the best, and the best of what
 /// should come out longer than the last by this share, since most are neighbours of the best.
 const STREAMLINES: usize = 2;
@@ -60,6 +63,18 @@ enum Way {
     From(Line),
 }
 
+/// Passes that might be laid, and whether only where all others leave something.
+struct Rated {
+    way: Way,
+    is_spare: bool,
+}
+
+impl Proposal {
+    fn way(self) -> (f64, Way) {
+        (self.expected, Way::Levels(self.fields.0, self.fields.1))
+    }
+}
+
 /// Passes of `face` along the widest strips, the axis leaning by `rule`.
 pub fn flow(
     face: &Face,
@@ -73,13 +88,20 @@ pub fn flow(
     let cutter = &tool.cutter;
     let flat = Potential::flat(cutter, &rule, &finish);
     let grid = FaceGrid::new(face, CELL * flat, CELLS[0], CELLS[1]);
-    let potential = Potential::new((face, &grid), cutter, &rule, &finish, &looking)?;
-    let ways = ways((face, &grid), &potential);
-    let (count, shortest) = (ways.len(), ways.first().map_or(0.0, |way| way.0));
+    let measured = |rule| Potential::new((face, &grid), cutter, &rule, &finish, &looking);
+    let mut ways = ways((face, &grid), &measured(rule)?, &rule);
+    if let Rule::Widest(limits) = rule {
+        // Yaws that make a strip wide at a place may not be those of its neighbours: directions without any are tried too.
+        let straight = proposals(face, &grid, &measured(Rule::Matched(limits))?);
+        let own = straight.into_iter().filter(|way| !matches!(way.fields.0, Field::U | Field::V));
+        ways.extend(rated(own.map(Proposal::way).collect(), WORSE[1]));
+    }
+    // Spare ones last.
+    sort_by_key(&mut ways, |way| (u64::from(way.is_spare), 0));
+    let count = ways.len();
     let mut best: Option<Laid> = None;
-    for (k, (expected, way)) in ways.into_iter().enumerate() {
-        let is_worse = matches!(rule, Rule::Fixed(_)) && (k >= MOST || expected > WORSE * shortest);
-        if is_worse && best.as_ref().is_some_and(|best| best.is_whole) {
+    for (k, Rated { way, is_spare }) in ways.into_iter().enumerate() {
+        if is_spare && best.as_ref().is_some_and(|best| best.is_whole) {
             break;
         }
         let at = |k: usize| 0.1 + 0.9 * k as f64 / count as f64;
@@ -110,22 +132,43 @@ pub fn flow(
     Ok(best.ok_or_else(too_many)?.planned)
 }
 
-/// What might be laid and how long it should be, mm; the shortest first.
-fn ways((face, grid): (&Face, &FaceGrid), potential: &Potential) -> Vec<(f64, Way)> {
+/// What might be laid, what should come out shortest first.
+fn ways((face, grid): (&Face, &FaceGrid), potential: &Potential, rule: &Rule) -> Vec<Rated> {
     let proposals = proposals(face, grid, potential);
     let starts = Starts { face, grid, potential };
-    let mut ways: Vec<(f64, Way)> = Vec::new();
-    let (mut levels, mut streamlines) = (starts.levels(&proposals), starts.streamlines());
-    best_first(&mut levels, |start| start.1);
-    best_first(&mut streamlines, |start| start.1);
-    streamlines.dedup_by(|next, last| next.1 < OTHER * last.1);
-    let lines = levels.into_iter().take(1).chain(streamlines.into_iter().take(STREAMLINES));
-    ways.extend(lines.map(|(line, expected)| (expected, Way::From(line))));
-    for Proposal { fields, expected, .. } in proposals {
-        ways.push((expected, Way::Levels(fields.0, fields.1)));
+    let mut streamlines = starts.streamlines();
+    best_first(&mut streamlines);
+    streamlines.dedup_by(|next, last| next.0 < OTHER * last.0);
+    let lines = |lines: Vec<(f64, Line)>, most| {
+        lines.into_iter().take(most).map(|(expected, line)| (expected, Way::From(line)))
+    };
+    if let Rule::Fixed(_) = rule {
+        let mut levels = starts.levels(&proposals);
+        best_first(&mut levels);
+        let mut ways: Vec<(f64, Way)> = lines(levels, 1).chain(lines(streamlines, STREAMLINES)).collect();
+        ways.extend(proposals.into_iter().map(Proposal::way));
+        return rated(ways, WORSE[0]);
     }
-    best_first(&mut ways, |way| way.0);
-    ways
+    let mut ways: Vec<(f64, Way)> = proposals.into_iter().map(Proposal::way).collect();
+    // What is offset from a line bends more, and postures that are chosen keep up with that less.
+    let shortest = ways.iter().map(|way| way.0).fold(f64::INFINITY, f64::min);
+    streamlines.retain(|(expected, _)| *expected < BENDS * shortest);
+    ways.extend(lines(streamlines, 1));
+    let worse = if matches!(rule, Rule::Widest(_)) { f64::INFINITY } else { WORSE[1] };
+    rated(ways, worse)
+}
+
+/// `ways` with how long they should be, mm: the shortest first, and spare those that should be so much longer.
+fn rated(mut ways: Vec<(f64, Way)>, worse: f64) -> Vec<Rated> {
+    best_first(&mut ways);
+    let most = ways.first().map_or(0.0, |way| worse * way.0);
+    let rated = ways.into_iter().enumerate();
+    rated
+        .map(|(k, (expected, way))| Rated {
+            way,
+            is_spare: expected > most || (k >= MOST && most.is_finite()),
+        })
+        .collect()
 }
 
 /// The functions worth laying: the best of each kind.
@@ -143,7 +186,7 @@ fn proposals(face: &Face, grid: &FaceGrid, potential: &Potential) -> Vec<Proposa
         return parameters.into();
     }
     let mut sections: Vec<Proposal> = sections(face).into_iter().map(proposal).collect();
-    best_first(&mut sections, |section| section.expected);
+    sort_by_key(&mut sections, |section| (rank(section.expected), 0));
     let lines = LineField::new(face, grid, potential);
     let given = |values: &[f64]| Field::Given(Arc::new(Table::new(domain, grid, values)));
     let bend = |(from, soft): (&Proposal, f64)| {
@@ -154,12 +197,12 @@ fn proposals(face: &Face, grid: &FaceGrid, potential: &Potential) -> Vec<Proposa
     sort_by_key(&mut plain, |proposal| (rank(proposal.expected), 0));
     let ways = plain.into_iter().take(BENT).flat_map(|from| SOFT.map(|soft| (from, soft)));
     let mut bent: Vec<Proposal> = ways.map(bend).collect();
-    best_first(&mut bent, |bent| bent.expected);
+    sort_by_key(&mut bent, |bent| (rank(bent.expected), 0));
     bent.into_iter().take(1).chain(sections.into_iter().take(1)).chain(parameters).collect()
 }
 
-fn best_first<T>(ways: &mut [T], expected: impl Fn(&T) -> f64) {
-    sort_by_key(ways, |way| (rank(expected(way)), 0));
+fn best_first<T>(ways: &mut [(f64, T)]) {
+    sort_by_key(ways, |way| (rank(way.0), 0));
 }
 
 /// Parallel planes in even steps of direction, each with a function that tells places along its lines apart.

@@ -20,7 +20,7 @@ use crate::posture::Rule;
 const CELL: f64 = 0.7;
 const CELLS: [usize; 2] = [24, 56];
 /// Families at most: the last goes on however efficient it is.
-const FAMILIES: usize = 8;
+const FAMILIES: usize = 4;
 /// The share of the face that may be left to short passes.
 const LEFT: f64 = 0.004;
 /// A path over less fresh ground than this, in strips, says nothing about its efficiency.

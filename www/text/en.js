@@ -85,6 +85,7 @@ export default {
   'field.strategy.start_percent': 'Place of the line',
   'field.strategy.start_points_mm': 'Points of the curve, mm',
   'field.strategy.angle_deg': 'Angle of the planes',
+  'field.strategy.least_efficiency_percent': 'Least efficiency',
   'field.strategy.rule': 'Tilt',
   'field.strategy.lead_deg': 'Lead',
   'field.strategy.yaw_deg': 'Yaw',
@@ -344,6 +345,7 @@ export default {
 
   'learn.link': 'Learn',
   'kind.strategy.flow': 'Along the widest strips',
+  'kind.strategy.potential_field': 'Potential field, with restarts',
   'kind.strategy.auto': 'Whichever is quickest and holds',
   'results.histogram': 'Area by excess',
   'results.histogram.label':

@@ -82,6 +82,7 @@ export default {
   'field.strategy.start_percent': '参数线位置',
   'field.strategy.start_points_mm': '曲线上的点，mm',
   'field.strategy.angle_deg': '截面方向角',
+  'field.strategy.least_efficiency_percent': '最低切削效率',
   'field.strategy.rule': '刀轴倾斜',
   'field.strategy.lead_deg': '前倾角',
   'field.strategy.yaw_deg': '偏转角',
@@ -323,6 +324,7 @@ export default {
 
   'learn.link': '学习',
   'kind.strategy.flow': '沿最宽行距',
+  'kind.strategy.potential_field': '加工势场（可重新起始）',
   'kind.strategy.auto': '合格者中最快的',
   'results.histogram': '面积按残留的分布',
   'results.histogram.label': '曲面面积按其上残留的分布；数字见下方表格。',

@@ -30,9 +30,9 @@ pub(super) struct Starts<'a> {
 }
 
 impl Starts<'_> {
-    /// Level lines of `proposals`, each with how long the passes offset from it should be, mm; none of a function that goes round the
+    /// Level lines of `proposals`, each after how long the passes offset from it should be, mm; none of a function that goes round the
     /// face, whose lines do not divide it.
-    pub(super) fn levels(&self, proposals: &[Proposal]) -> Vec<(Line, f64)> {
+    pub(super) fn levels(&self, proposals: &[Proposal]) -> Vec<(f64, Line)> {
         let mut found = Vec::new();
         let domain = self.face.domain();
         let goes_round = |field: &Field| match field {
@@ -45,22 +45,22 @@ impl Starts<'_> {
             let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
             for level in STARTS.map(|share| low + (high - low) * share) {
                 if let Some(expected) = self.expected(values, level) {
-                    found.push((Line::Level { fields: fields.clone(), level }, expected));
+                    found.push((expected, Line::Level { fields: fields.clone(), level }));
                 }
             }
         }
         found
     }
 
-    /// Lines along the widest strips, each with how long the passes offset from it should be, mm.
-    pub(super) fn streamlines(&self) -> Vec<(Line, f64)> {
+    /// Lines along the widest strips, each after how long the passes offset from it should be, mm.
+    pub(super) fn streamlines(&self) -> Vec<(f64, Line)> {
         let mut found = Vec::new();
         for line in Streamlines::new(self.face, self.grid, self.potential).initial(&|_| false) {
             let points: Vec<DVec3> = line.points.iter().map(|point| point.p).collect();
             // Lines that wind, or run into themselves, divide nothing.
             let away = away_from(self.face, self.grid, &points);
             if let Some(expected) = away.ok().and_then(|away| self.expected(&away, 0.0)) {
-                found.push((Line::Through(points), expected));
+                found.push((expected, Line::Through(points)));
             }
         }
         found
