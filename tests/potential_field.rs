@@ -37,7 +37,10 @@ fn length(plan: &Plan) -> f64 {
 
 fn assert_holds(plan: &Plan) {
     let verified = plan.prove(&Stage::silent()).unwrap().unwrap().verified;
-    assert!(job::holds(&verified, plan.report(None).scallop_mm), "{verified:?}");
+    let report = plan.report(None);
+    assert!(job::holds(&verified, report.scallop_mm), "{verified:?}");
+    // What is told to be out of reach is not proven.
+    assert!(report.unreachable.area_mm2 <= 0.0, "{}", report.unreachable.area_mm2);
 }
 
 /// On a saddle strips are widest along its diagonals, and one family covers it.

@@ -155,6 +155,7 @@ pub(super) fn offset_lines<'a>(
 }
 
 /// At the nodes of `grid`, how far places are from the curve through `points` (mm), with another sign on either side.
+#[cfg(feature = "flow")]
 pub(super) fn away_from(face: &Face, grid: &FaceGrid, points: &[DVec3]) -> Result<Vec<f64>, StartError> {
     curve::seed(face, grid, points, 1.0).map(|(away, _)| away)
 }

@@ -138,17 +138,18 @@ impl<'a> Family<'a> {
         Self::improved(part, rule, finish, fields, order, None, stage)?.ok_or_else(too_many)
     }
 
-    /// Those passes where they are better than `best`: shorter, or they leave nothing and those do; else `best`.
+    /// Those passes where they are better than `best`: shorter, or they leave nothing and those do.
     pub(super) fn improved(
         (face, tool): (&'a Face, &'a Tool),
         rule: &Rule,
         finish: Finish,
         fields: (Field, Field),
         order: Order,
-        mut best: Option<Laid>,
+        best: Option<&Laid>,
         stage: &Stage,
     ) -> Result<Option<Laid>, StrategyError> {
         let (finish, versions) = (finish.with_fine_chords(), rule.versions());
+        let mut found: Option<Laid> = None;
         let choosing = if matches!(rule, Rule::Fixed(_)) { 0.0 } else { 0.15 };
         for (k, &rule) in versions.iter().enumerate() {
             let part = |name, a: f64, b: f64| {
@@ -162,17 +163,18 @@ impl<'a> Family<'a> {
             // Passes run out beyond their lines, and hardly any is cut back to less: where these are longer already, nothing more is
             // asked.
             let length = family.length(&tracks);
-            if best.as_ref().is_some_and(|best| best.is_whole && length >= best.planned.length()) {
+            let best = found.as_ref().or(best);
+            if best.is_some_and(|best| best.is_whole && length >= best.planned.length()) {
                 continue;
             }
             let (planned, is_whole) =
                 followed(&[Part::whole(family, tracks)], &[], &part("Following the surface", 0.7, 1.0))?;
             let laid = Laid { rule, planned, is_whole };
-            if best.as_ref().is_none_or(|best| laid.is_better(best)) {
-                best = Some(laid);
+            if best.is_none_or(|best| laid.is_better(best)) {
+                found = Some(laid);
             }
         }
-        Ok(best)
+        Ok(found)
     }
 
     /// How long the lines of `tracks` are, mm.

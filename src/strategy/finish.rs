@@ -66,6 +66,10 @@ pub enum StrategyError {
     /// The cutter gouges wherever it is put.
     #[error("the cutter fits nowhere on this surface: {0}")]
     FitsNowhere(String),
+    /// The planner of the potential field finds nothing to begin with.
+    #[cfg(feature = "flow")]
+    #[error("no line along the widest strips divides this surface: passes offset from a border may do")]
+    NoInitialPath,
     /// Passes cannot be offset from the start curve that was given.
     #[error("the start curve {0}")]
     Start(#[from] StartError),

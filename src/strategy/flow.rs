@@ -19,7 +19,7 @@ use crate::cutter::Tool;
 use crate::geometry::{Face, FaceGrid, Field, Table};
 use crate::math::frame::Frame;
 use crate::math::order::{rank, sort_by_key};
-use crate::monitor::Stage;
+use crate::monitor::{Cancelled, Stage};
 use crate::posture::Rule;
 use bend::{bent, columns};
 use edge_to_edge::{Line, Starts};
@@ -84,59 +84,86 @@ pub fn flow(
     order: Order,
     stage: &Stage,
 ) -> Result<Planned, StrategyError> {
-    let looking = stage.part("Comparing directions", 0.0, 0.1);
+    let looking = |from, to| stage.part("Comparing directions", from, to);
     let cutter = &tool.cutter;
     let flat = Potential::flat(cutter, &rule, &finish);
     let grid = FaceGrid::new(face, CELL * flat, CELLS[0], CELLS[1]);
-    let measured = |rule| Potential::new((face, &grid), cutter, &rule, &finish, &looking);
-    let mut ways = ways((face, &grid), &measured(rule)?, &rule);
+    let measured = |rule, stage: &Stage| Potential::new((face, &grid), cutter, &rule, &finish, stage);
+    let mut ways = ways((face, &grid), &measured(rule, &looking(0.0, 0.04))?, &rule, &looking(0.04, 0.07))?;
     if let Rule::Widest(limits) = rule {
         // Yaws that make a strip wide at a place may not be those of its neighbours: directions without any are tried too.
-        let straight = proposals(face, &grid, &measured(Rule::Matched(limits))?);
+        let straight = proposals(face, &grid, &measured(Rule::Matched(limits), &looking(0.07, 0.1))?);
         let own = straight.into_iter().filter(|way| !matches!(way.fields.0, Field::U | Field::V));
         ways.extend(rated(own.map(Proposal::way).collect(), WORSE[1]));
     }
-    // Spare ones last.
-    sort_by_key(&mut ways, |way| (u64::from(way.is_spare), 0));
-    let count = ways.len();
+    let (spare, ways): (Vec<Rated>, Vec<Rated>) = ways.into_iter().partition(|way| way.is_spare);
+    let count = ways.len() + spare.len();
+    let planner = Planner { face, tool, rule, finish, order, flat };
     let mut best: Option<Laid> = None;
-    for (k, Rated { way, is_spare }) in ways.into_iter().enumerate() {
+    let mut why = None;
+    for (k, Rated { way, is_spare }) in ways.into_iter().chain(spare).enumerate() {
         if is_spare && best.as_ref().is_some_and(|best| best.is_whole) {
             break;
         }
         let at = |k: usize| 0.1 + 0.9 * k as f64 / count as f64;
-        let part = stage.part("Spacing passes", at(k), at(k + 1));
-        let line = match way {
-            Way::Levels(field, column) => {
-                best = Family::improved((face, tool), &rule, finish, (field, column), order, best, &part)?;
-                continue;
-            }
-            Way::From(line) => line,
-        };
-        let seed = match line {
-            Line::Level { fields, level } => (fields.0, level, fields.1),
-            Line::Through(points) => seed(face, &Start::Curve(points), flat)?,
-        };
-        // By which version of the rule passes are shortest hardly depends on the passes.
-        let rules = best.as_ref().map_or_else(|| rule.versions(), |best| vec![best.rule]);
-        for rule in rules {
-            let most = best.as_ref().map_or(f64::INFINITY, |best| best.planned.length());
-            let offset = offset_passes((face, tool), &seed, &rule, finish, order, most, &part)?;
-            let offset = offset.map(|(planned, is_whole)| Laid { planned, is_whole, rule });
-            best = match (offset, best) {
-                (Some(offset), Some(best)) if !offset.is_better(&best) => Some(best),
-                (offset, best) => offset.or(best),
-            };
+        match planner.better(way, best.as_ref(), &stage.part("Spacing passes", at(k), at(k + 1))) {
+            Ok(better) => best = better.or(best),
+            Err(StrategyError::Cancelled(cancelled)) => return Err(cancelled.into()),
+            // Another way may do.
+            Err(other) => why = Some(other),
         }
     }
-    Ok(best.ok_or_else(too_many)?.planned)
+    Ok(best.ok_or_else(|| why.unwrap_or_else(too_many))?.planned)
+}
+
+/// What ways are laid with.
+struct Planner<'a> {
+    face: &'a Face,
+    tool: &'a Tool,
+    rule: Rule,
+    finish: Finish,
+    order: Order,
+    /// About how wide strips are on flat ground, mm.
+    flat: f64,
+}
+
+impl Planner<'_> {
+    /// The passes of `way` where they are better than `best`.
+    fn better(&self, way: Way, best: Option<&Laid>, stage: &Stage) -> Result<Option<Laid>, StrategyError> {
+        let (part, finish, order) = ((self.face, self.tool), self.finish, self.order);
+        let seed = match way {
+            Way::Levels(field, column) => {
+                return Family::improved(part, &self.rule, finish, (field, column), order, best, stage);
+            }
+            Way::From(Line::Level { fields, level }) => (fields.0, level, fields.1),
+            Way::From(Line::Through(points)) => seed(self.face, &Start::Curve(points), self.flat)?,
+        };
+        // By which version of the rule passes are shortest hardly depends on the passes.
+        let rules = best.map_or_else(|| self.rule.versions(), |best| vec![best.rule]);
+        let mut found: Option<Laid> = None;
+        for (k, &rule) in rules.iter().enumerate() {
+            let best = found.as_ref().or(best);
+            let most = best.filter(|best| best.is_whole).map_or(f64::INFINITY, |best| best.planned.length());
+            let at = |k: usize| k as f64 / rules.len() as f64;
+            let spacing = stage.part("Spacing passes", at(k), at(k + 1));
+            let offset = offset_passes(part, &seed, &rule, finish, order, most, &spacing)?;
+            let laid = offset.map(|(planned, is_whole)| Laid { planned, is_whole, rule });
+            found = laid.filter(|laid| best.is_none_or(|best| laid.is_better(best))).or(found);
+        }
+        Ok(found)
+    }
 }
 
 /// What might be laid, what should come out shortest first.
-fn ways((face, grid): (&Face, &FaceGrid), potential: &Potential, rule: &Rule) -> Vec<Rated> {
+fn ways(
+    (face, grid): (&Face, &FaceGrid),
+    potential: &Potential,
+    rule: &Rule,
+    stage: &Stage,
+) -> Result<Vec<Rated>, Cancelled> {
     let proposals = proposals(face, grid, potential);
     let starts = Starts { face, grid, potential };
-    let mut streamlines = starts.streamlines();
+    let mut streamlines = starts.streamlines(stage)?;
     best_first(&mut streamlines);
     streamlines.dedup_by(|next, last| next.0 < OTHER * last.0);
     let lines = |lines: Vec<(f64, Line)>, most| {
@@ -147,7 +174,7 @@ fn ways((face, grid): (&Face, &FaceGrid), potential: &Potential, rule: &Rule) ->
         best_first(&mut levels);
         let mut ways: Vec<(f64, Way)> = lines(levels, 1).chain(lines(streamlines, STREAMLINES)).collect();
         ways.extend(proposals.into_iter().map(Proposal::way));
-        return rated(ways, WORSE[0]);
+        return Ok(rated(ways, WORSE[0]));
     }
     let mut ways: Vec<(f64, Way)> = proposals.into_iter().map(Proposal::way).collect();
     // What is offset from a line bends more, and postures that are chosen keep up with that less.
@@ -155,7 +182,7 @@ fn ways((face, grid): (&Face, &FaceGrid), potential: &Potential, rule: &Rule) ->
     streamlines.retain(|(expected, _)| *expected < BENDS * shortest);
     ways.extend(lines(streamlines, 1));
     let worse = if matches!(rule, Rule::Widest(_)) { f64::INFINITY } else { WORSE[1] };
-    rated(ways, worse)
+    Ok(rated(ways, worse))
 }
 
 /// `ways` with how long they should be, mm: the shortest first, and spare those that should be so much longer.

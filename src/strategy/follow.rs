@@ -25,6 +25,13 @@ pub(super) struct Part<'a> {
     pub(super) own: [f64; 2],
 }
 
+/// Parts of a face. Only the strategies that the page's second module brings have more than one: the first need not carry what keeps
+/// them apart.
+#[cfg(feature = "flow")]
+type Parts<'a> = [Part<'a>];
+#[cfg(not(feature = "flow"))]
+type Parts<'a> = [Part<'a>; 1];
+
 impl<'a> Part<'a> {
     /// All of a face.
     pub(super) fn whole(family: Family<'a>, tracks: Vec<Candidate>) -> Self {
@@ -42,16 +49,21 @@ impl<'a> Part<'a> {
 /// The passes on the lines of `parts`, and short ones where they leave more than the limit at places all over the face and at
 /// `others`; and whether in the end nothing is left there. What no part has is the first one's.
 pub(super) fn followed(
-    parts: &[Part],
+    parts: &Parts,
     others: &[Uv],
     stage: &Stage,
 ) -> Result<(Planned, bool), StrategyError> {
-    let walking = stage.part("Following the surface", 0.0, 0.5);
+    let count = parts.len() as f64;
+    // A stretch of a part's own.
+    let share = |name, from: f64, to: f64, k: usize| {
+        let at = |k: usize| from + (to - from) * k as f64 / count;
+        stage.part(name, at(k), at(k + 1))
+    };
     let mut passes = Vec::new();
     // The part and the level of each.
     let mut ways = Vec::new();
     for (k, part) in parts.iter().enumerate() {
-        passes.extend(part.family.walk(&part.tracks, &walking)?);
+        passes.extend(part.family.walk(&part.tracks, &share("Following the surface", 0.0, 0.5, k))?);
         ways.extend(part.tracks.iter().map(|track| (k, track.level)));
     }
     if passes.iter().all(Vec::is_empty) {
@@ -59,33 +71,51 @@ pub(super) fn followed(
         return Err(StrategyError::FitsNowhere(why.into()));
     }
     let Family { setup, .. } = &parts[0].family;
+    let mut beyond = Zone::empty();
+    for (k, part) in parts.iter().enumerate() {
+        let mapping = share("Mapping what is unreachable", 0.5, 0.65, k);
+        let own = unreached::zone(&part.family.setup, &part.tracks, &[], &mapping)?;
+        beyond = if parts.len() == 1 { own } else { beyond.joined(&own) };
+    }
     let tracks = || parts.iter().flat_map(|part| &part.tracks);
-    let mapping = stage.part("Mapping what is unreachable", 0.5, 0.65);
-    let mut unreached = None;
     let edges = places::edges(tracks());
     let ridges: Vec<Uv> =
         edges.iter().flat_map(|&[a, b]| (0..RIDGE).map(move |k| places::between(a, b, k, RIDGE))).collect();
     let first = &parts[0].family;
+    let owner = |look: &Look| match parts.len() {
+        1 => 0,
+        _ => parts.iter().position(|part| part.has(look.uv)).unwrap_or(0),
+    };
     let (mut is_whole, mut is_trimmed) = (false, false);
     // Passes that are added leave no more than there was: until some are cut back, only there can there be more.
     let mut last: Option<Vec<Look>> = None;
     for round in 0..=GLEANINGS {
         let at = |t: f64| 0.65 + 0.35 * (round as f64 + t) / (GLEANINGS + 1) as f64;
         let part = |name, from, to| stage.part(name, at(from), at(to));
-        let (moves, looking) = (Moves::new(setup, passes.iter().flatten()), part(FILL, 0.0, 0.4));
+        let moves = Moves::new(setup, passes.iter().flatten());
         let looks = match last.take() {
             Some(left) => left,
-            None => first.looks(&moves, (others, &ridges), &looking)?,
+            None => first.looks(&moves, (others, &ridges), &part(FILL, 0.0, 0.2))?,
         };
-        let [mut left, blocked] = first.left(&looks, &moves, &looking)?;
-        let zone = match unreached.take() {
-            Some(zone) => zone,
-            None => unreached::zone(setup, tracks(), blocked.iter().map(|look| look.uv), &mapping)?,
-        };
-        left.retain(|look| !zone.contains(setup.face.surface.point(look.uv)));
-        unreached = Some(zone);
-        is_whole = left.is_empty();
-        if round == GLEANINGS || (is_whole && is_trimmed) {
+        let is_within = |look: &Look| !beyond.contains(setup.face.surface.point(look.uv));
+        let looks: Vec<Look> = looks.into_iter().filter(is_within).collect();
+        // By their parts, where the cutter can go and where it cannot.
+        let mut left: Vec<[Vec<Look>; 2]> = Vec::new();
+        for (k, Part { family, .. }) in parts.iter().enumerate() {
+            let own: Vec<Look> = looks.iter().filter(|look| owner(look) == k).copied().collect();
+            left.push(family.left(&own, &moves, &part(FILL, 0.2, 0.4).quiet())?);
+        }
+        is_whole = left.iter().all(|[open, _]| open.is_empty());
+        let is_last = round == GLEANINGS || (is_whole && is_trimmed);
+        if is_whole || is_last {
+            // What no pass beside it has finished by now none will.
+            for ([_, blocked], part) in left.iter().zip(parts).filter(|([_, blocked], _)| !blocked.is_empty())
+            {
+                let own = unreached::zone(&part.family.setup, &part.tracks, blocked, &stage.quiet())?;
+                beyond = if parts.len() == 1 { own } else { beyond.joined(&own) };
+            }
+        }
+        if is_last {
             break;
         }
         if is_whole {
@@ -93,14 +123,12 @@ pub(super) fn followed(
             is_trimmed = true;
             continue;
         }
-        let owner = |look: &Look| parts.iter().position(|part| part.has(look.uv)).unwrap_or(0);
-        for (k, Part { family, .. }) in parts.iter().enumerate() {
-            let own: Vec<Look> = left.iter().filter(|look| owner(look) == k).copied().collect();
-            let short = family.short_lines(&own, round, &part(FILL, 0.4, 0.8))?;
-            passes.extend(family.walk(&short, &part("Following the surface", 0.8, 1.0))?);
+        for (k, (Part { family, .. }, [open, _])) in parts.iter().zip(&left).enumerate() {
+            let short = family.short_lines(open, round, &part(FILL, 0.4, 0.8).quiet())?;
+            passes.extend(family.walk(&short, &part("Following the surface", 0.8, 1.0).quiet())?);
             ways.extend(short.iter().map(|track| (k, track.level)));
         }
-        last = Some(left);
+        last = Some(left.into_iter().flatten().flatten().collect());
     }
     let mut by_level: Vec<_> = ways.into_iter().zip(passes).collect();
     sort_by_key(&mut by_level, |((_, level), _)| (rank(*level), 0));
@@ -109,9 +137,9 @@ pub(super) fn followed(
         let own = by_level.iter_mut().filter(|((part, _), _)| *part == k);
         own.for_each(|(_, passes)| sorted.append(passes));
     }
-    let largest_fit = setup.postures.largest_fit();
-    let unreached = unreached.unwrap_or_else(Zone::empty);
-    Ok((Planned { passes: sorted, unreached, unseen: Zone::empty(), largest_fit }, is_whole))
+    let fits = parts.iter().filter_map(|part| part.family.setup.postures.largest_fit());
+    let largest_fit = fits.reduce(f64::min);
+    Ok((Planned { passes: sorted, unreached: beyond, unseen: Zone::empty(), largest_fit }, is_whole))
 }
 
 impl Family<'_> {

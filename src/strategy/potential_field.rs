@@ -20,14 +20,14 @@ use crate::posture::Rule;
 const CELL: f64 = 0.7;
 const CELLS: [usize; 2] = [24, 56];
 /// Families at most: the last goes on however efficient it is.
-const FAMILIES: usize = 4;
-/// The share of the face that may be left to short passes.
+const FAMILIES: usize = 8;
+/// The share of the nodes of that grid that may be left to short passes.
 const LEFT: f64 = 0.004;
 /// A path over less fresh ground than this, in strips, says nothing about its efficiency.
 const STUB: f64 = 3.0;
 
 /// Passes of `face` in families, the axis leaning by `rule`: a family goes on as long as the efficiency of its passes, eq. (11), is at
-/// least `least_efficiency` (0 to 1).
+/// least the share `least_efficiency` (0 to 1) of its initial path's; the eighth goes on over all that is left.
 ///
 /// An error where no line along the widest strips divides the face, as on a tube whose strips are widest along it.
 pub fn potential_field(
@@ -54,12 +54,7 @@ pub fn potential_field(
             best = Some(laid);
         }
     }
-    best.map(|best| best.planned).ok_or_else(none)
-}
-
-fn none() -> StrategyError {
-    let why = "no line along the widest strips divides this surface; constant scallop from a border may do";
-    StrategyError::FitsNowhere(why.into())
+    best.map(|best| best.planned).ok_or(StrategyError::NoInitialPath)
 }
 
 struct Planner<'a> {
@@ -78,21 +73,20 @@ impl<'a> Planner<'a> {
     /// The passes, and whether they leave nothing.
     fn planned(&self, rule: &Rule, stage: &Stage) -> Result<(Planned, bool), StrategyError> {
         let (mut parts, mut places) = (Vec::new(), Vec::new());
-        let mut left = 1.0;
-        while parts.len() < FAMILIES && left > LEFT {
-            let part = stage.part("Spacing passes", 0.6 * (1.0 - left), 0.6 * (1.0 - 0.5 * left));
+        while parts.len() < FAMILIES && self.left(&parts) > LEFT {
+            let at = |k: usize| 0.6 * k as f64 / FAMILIES as f64;
+            let part = stage.part("Spacing passes", at(parts.len()), at(parts.len() + 1));
             let Some((part, crests)) = self.next(&parts, rule, &part)? else { break };
             parts.push(part);
             places.extend(crests);
-            left = self.left(&parts);
         }
         if parts.is_empty() {
-            return Err(none());
+            return Err(StrategyError::NoInitialPath);
         }
         followed(&parts, &places, &stage.part("Following the surface", 0.6, 1.0))
     }
 
-    /// The share of the face that none of `parts` has.
+    /// The share of the nodes that none of `parts` has.
     fn left(&self, parts: &[Part]) -> f64 {
         let (nu, count) = (self.grid.size().0, self.grid.points().len());
         let open = (0..count).filter(|k| !is_done(parts, self.grid.uv(k % nu, k / nu)));

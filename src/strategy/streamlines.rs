@@ -20,9 +20,11 @@ const STEP: f64 = 0.35;
 const STEPS: usize = 3000;
 /// The fewest points of a line, and of a piece of one over fresh ground.
 const FEWEST: usize = 4;
-/// A line that comes back to within so many strips of its beginning, about as it left, is closed; looked for from so many steps on.
+/// A line that comes back to within so many strips of its beginning is closed,
 const CLOSES: f64 = 0.8;
+/// where its direction has at least this cosine with the one that it left in,
 const ALIKE: f64 = 0.8;
+/// and it has made so many steps.
 const AWAY: usize = 12;
 
 /// A point of a path, and what its strip is like there.
@@ -79,7 +81,7 @@ impl Swept {
 pub struct Streamline {
     /// Its points; of a closed one the last is the first.
     pub points: Vec<PathPoint>,
-    /// Those of its points that lie on fresh ground, about the place that it was begun from.
+    /// Those of its points that lie on fresh ground, about the place that it was begun from; of a closed line, from there on.
     pub fresh: Range<usize>,
 }
 
@@ -142,6 +144,7 @@ impl<'a> Streamlines<'a> {
 
     /// The nodes of the grid around `uv` and their weights.
     fn around(&self, uv: Uv) -> [(usize, f64); 4] {
+        let uv = self.face.domain().hold(uv);
         let (i, j) = self.grid.cell_at(uv);
         let (low, high) = (self.grid.uv(i, j), self.grid.uv(i + 1, j + 1));
         let (s, t) = ((uv.u - low.u) / (high.u - low.u), (uv.v - low.v) / (high.v - low.v));
@@ -213,12 +216,18 @@ impl<'a> Streamlines<'a> {
     /// Has the last of `points` be the first, and what it was off shared out over all the way, lest there be a kink.
     fn close(&self, points: &mut [PathPoint]) {
         let last = points.len() - 1;
+        // Along the line and aside of it, which turn on the way.
+        let ways = |points: &[PathPoint], k: usize| {
+            let (_, n) = self.face.at(points[k].uv)?;
+            let along = (points[(k + 1).min(last)].p - points[k - 1].p).try_normalize()?;
+            Some((along, n.cross(along)))
+        };
         let off = points[0].p - points[last].p;
+        let off = ways(points, last).map_or([0.0; 2], |(along, aside)| [off.dot(along), off.dot(aside)]);
         for k in 1..last {
-            let PathPoint { uv, p, .. } = points[k];
-            let feed = points[k + 1].p - p;
-            let moved = self.moved(uv, off * (k as f64 / last as f64));
-            if let Some(point) = moved.and_then(|uv| self.point(uv, feed)) {
+            let Some((along, aside)) = ways(points, k) else { continue };
+            let way = (along * off[0] + aside * off[1]) * (k as f64 / last as f64);
+            if let Some(point) = self.moved(points[k].uv, way).and_then(|uv| self.point(uv, along)) {
                 points[k] = point;
             }
         }

@@ -1,6 +1,7 @@
 //! Where the cutter cannot go, mapped outwards from where the lines of a family found it so.
 
 use super::family::Candidate;
+use super::glean::Look;
 use super::probe::{Probe, Setup};
 use crate::geometry::{FaceGrid, Uv, Zone};
 use crate::monitor::{Cancelled, Stage};
@@ -15,19 +16,22 @@ const MOST: usize = 400;
 ///
 /// A spot that is blocked but lies between the lines, met by none of them, may be finished by the strips on either side, and
 /// is no part of the zone then.
-pub(super) fn zone<'a>(
+pub(super) fn zone(
     setup: &Setup,
-    tracks: impl Iterator<Item = &'a Candidate>,
-    others: impl Iterator<Item = Uv>,
+    tracks: &[Candidate],
+    others: &[Look],
     stage: &Stage,
 ) -> Result<Zone, Cancelled> {
     let map = Map { setup, grid: FaceGrid::new(setup.face, 0.5 * setup.strip, 24, MOST) };
+    let domain = setup.face.domain();
     let blocked = tracks
+        .iter()
         .flat_map(|track| track.lines.iter().zip(&track.probes))
         .flat_map(|(line, probes)| line.nodes.iter().zip(probes))
         .filter(|(_, probe)| **probe == Probe::Blocked)
         .map(|(&uv, _)| uv);
-    let seeds_at = blocked.chain(others).map(|uv| map.grid.cell_at(uv));
+    let seeds_at =
+        blocked.chain(others.iter().map(|look| look.uv)).map(|uv| map.grid.cell_at(domain.hold(uv)));
     // Extended and not collected: that would bring a sort of its own into the page's module.
     let mut seeds = BTreeSet::new();
     seeds.extend(seeds_at);

@@ -1,8 +1,8 @@
-//! The method of the paper of 2013 as it stands there, step by step: a machining potential, the initial path that is best in it, its
+//! The method of the paper of 2013, step by step: a machining potential, the initial path that is best in it, its
 //! neighbours edge to edge, and a new initial path where the neighbours have become too bad.
 //!
 //! To look at and to learn from: nothing is milled by it. Its neighbours lie about edge to edge, by what strips are to second order;
-//! [`crate::strategy::potential_field`] lays them exactly and leaves nothing.
+//! [`crate::strategy::potential_field`] lays them exactly and has what they leave cut too.
 //!
 //! Source: H. Liu and M. Liu, Tool path planning for high speed milling of sculpture surface with toroidal cutter, 2013, Fig. 5.
 

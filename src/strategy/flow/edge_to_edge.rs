@@ -2,6 +2,7 @@
 
 use super::Proposal;
 use crate::geometry::{Domain, Face, FaceGrid, Field, Fronts, triangles};
+use crate::monitor::{Cancelled, Stage};
 use crate::strategy::coarea::expected_length;
 use crate::strategy::constant_scallop::away_from;
 use crate::strategy::potential::Potential;
@@ -53,9 +54,12 @@ impl Starts<'_> {
     }
 
     /// Lines along the widest strips, each after how long the passes offset from it should be, mm.
-    pub(super) fn streamlines(&self) -> Vec<(f64, Line)> {
+    pub(super) fn streamlines(&self, stage: &Stage) -> Result<Vec<(f64, Line)>, Cancelled> {
         let mut found = Vec::new();
-        for line in Streamlines::new(self.face, self.grid, self.potential).initial(&|_| false) {
+        let lines = Streamlines::new(self.face, self.grid, self.potential).initial(&|_| false);
+        let count = lines.len() as f64;
+        for (k, line) in lines.into_iter().enumerate() {
+            stage.at(k as f64 / count)?;
             let points: Vec<DVec3> = line.points.iter().map(|point| point.p).collect();
             // Lines that wind, or run into themselves, divide nothing.
             let away = away_from(self.face, self.grid, &points);
@@ -63,7 +67,7 @@ impl Starts<'_> {
                 found.push((expected, Line::Through(points)));
             }
         }
-        found
+        Ok(found)
     }
 
     /// How long passes offset from the line of `values` at `level` should be, mm; `None` where it is a point.
