@@ -216,16 +216,17 @@ impl<'a> Streamlines<'a> {
     /// Has the last of `points` be the first, and what it was off shared out over all the way, lest there be a kink.
     fn close(&self, points: &mut [PathPoint]) {
         let last = points.len() - 1;
+        let before = points.to_vec();
         // Along the line and aside of it, which turn on the way.
-        let ways = |points: &[PathPoint], k: usize| {
-            let (_, n) = self.face.at(points[k].uv)?;
-            let along = (points[(k + 1).min(last)].p - points[k - 1].p).try_normalize()?;
+        let ways = |k: usize| {
+            let (_, n) = self.face.at(before[k].uv)?;
+            let along = (before[(k + 1).min(last)].p - before[k - 1].p).try_normalize()?;
             Some((along, n.cross(along)))
         };
         let off = points[0].p - points[last].p;
-        let off = ways(points, last).map_or([0.0; 2], |(along, aside)| [off.dot(along), off.dot(aside)]);
+        let off = ways(last).map_or([0.0; 2], |(along, aside)| [off.dot(along), off.dot(aside)]);
         for k in 1..last {
-            let Some((along, aside)) = ways(points, k) else { continue };
+            let Some((along, aside)) = ways(k) else { continue };
             let way = (along * off[0] + aside * off[1]) * (k as f64 / last as f64);
             if let Some(point) = self.moved(points[k].uv, way).and_then(|uv| self.point(uv, along)) {
                 points[k] = point;
