@@ -345,7 +345,7 @@ export default {
 
   'learn.link': 'Learn',
   'kind.strategy.flow': 'Along the widest strips',
-  'kind.strategy.potential_field': 'Potential field, with restarts',
+  'kind.strategy.potential_field': 'Potential field',
   'kind.strategy.auto': 'Whichever is quickest and holds',
   'results.histogram': 'Area by excess',
   'results.histogram.label':

@@ -324,7 +324,7 @@ export default {
 
   'learn.link': '学习',
   'kind.strategy.flow': '沿最宽行距',
-  'kind.strategy.potential_field': '加工势场（可重新起始）',
+  'kind.strategy.potential_field': '加工势场',
   'kind.strategy.auto': '合格者中最快的',
   'results.histogram': '面积按残留的分布',
   'results.histogram.label': '曲面面积按其上残留的分布；数字见下方表格。',
