@@ -19,7 +19,7 @@ use super::placing::too_many;
 use super::probe::Setup;
 use super::{Finish, Order, Planned, StrategyError};
 use crate::cutter::Tool;
-use crate::geometry::{Along, Face, FaceGrid, Field, Table, Uv};
+use crate::geometry::{Along, Face, Field, Table, Uv};
 use crate::math::frame::Frame;
 use crate::monitor::Stage;
 use crate::posture::Rule;
@@ -156,7 +156,11 @@ pub(super) fn offset_lines<'a>(
 
 /// At the nodes of `grid`, how far places are from the curve through `points` (mm), with another sign on either side.
 #[cfg(feature = "flow")]
-pub(super) fn away_from(face: &Face, grid: &FaceGrid, points: &[DVec3]) -> Result<Vec<f64>, StartError> {
+pub(super) fn away_from(
+    face: &Face,
+    grid: &crate::geometry::FaceGrid,
+    points: &[DVec3],
+) -> Result<Vec<f64>, StartError> {
     curve::seed(face, grid, points, 1.0).map(|(away, _)| away)
 }
 

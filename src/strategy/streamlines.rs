@@ -225,11 +225,11 @@ impl<'a> Streamlines<'a> {
         };
         let off = points[0].p - points[last].p;
         let off = ways(last).map_or([0.0; 2], |(along, aside)| [off.dot(along), off.dot(aside)]);
-        for k in 1..last {
+        for (k, place) in points.iter_mut().enumerate().take(last).skip(1) {
             let Some((along, aside)) = ways(k) else { continue };
             let way = (along * off[0] + aside * off[1]) * (k as f64 / last as f64);
-            if let Some(point) = self.moved(points[k].uv, way).and_then(|uv| self.point(uv, along)) {
-                points[k] = point;
+            if let Some(point) = self.moved(place.uv, way).and_then(|uv| self.point(uv, along)) {
+                *place = point;
             }
         }
         points[last] = points[0];
