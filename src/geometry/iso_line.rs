@@ -24,6 +24,25 @@ impl IsoLine {
             self.nodes.windows(2).map(|w| face.surface.point(w[0]).distance(face.surface.point(w[1])));
         points.sum()
     }
+
+    /// Its pieces of at least two nodes that are `kept`, with a node to either side; each after its place among the nodes.
+    pub fn pieces(&self, kept: &[bool]) -> Vec<(std::ops::Range<usize>, Self)> {
+        let last = self.nodes.len() - 1;
+        let grown: Vec<bool> =
+            (0..=last).map(|i| kept[i] || kept[i.saturating_sub(1)] || kept[(i + 1).min(last)]).collect();
+        let mut pieces = Vec::new();
+        let mut start = 0;
+        for run in grown.chunk_by(|a, b| a == b) {
+            let place = start..start + run.len();
+            start = place.end;
+            if run[0] && run.len() > 1 {
+                let nodes = self.nodes[place.clone()].to_vec();
+                let closed = self.closed && run.len() == self.nodes.len();
+                pieces.push((place, Self { level: self.level, nodes, closed }));
+            }
+        }
+        pieces
+    }
 }
 
 /// A field sampled on a grid, from which level lines are traced.

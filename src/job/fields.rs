@@ -116,6 +116,21 @@ const POINTS: Field =
     Field { name: "start_points_mm", kind: Kind::Points, when: Some(("start", &["curve"])) };
 const ORDER: Field = choice("order", &["zigzag", "zig", "climb", "conventional"], "zigzag");
 
+/// How the cutter leans on a surface, and the order of its passes.
+const LEANING: [Field; 9] =
+    [RULE, LEAD, YAW, LEAST_LEAD, MOST_LEAD, MOST_YAW, TURN_ALONG, TURN_ACROSS, ORDER];
+
+/// A strategy's `own` settings, and those behind them: `ALL` are nine more.
+const fn then_leaning<const OWN: usize, const ALL: usize>(own: [Field; OWN]) -> [Field; ALL] {
+    let mut all = [ORDER; ALL];
+    let mut k = 0;
+    while k < ALL {
+        all[k] = if k < OWN { own[k] } else { LEANING[k - OWN] };
+        k += 1;
+    }
+    all
+}
+
 /// The objects of a specification in the order in which a form shows them.
 pub const GROUPS: &[Group] = &[
     Group {
@@ -153,39 +168,17 @@ pub const GROUPS: &[Group] = &[
             Variant {
                 kind: "iso_parametric",
                 shapes: &["surface"],
-                fields: &[
-                    choice("along", &["u", "v"], "u"),
-                    RULE,
-                    LEAD,
-                    YAW,
-                    LEAST_LEAD,
-                    MOST_LEAD,
-                    MOST_YAW,
-                    TURN_ALONG,
-                    TURN_ACROSS,
-                    ORDER,
-                ],
+                fields: &then_leaning::<1, 10>([choice("along", &["u", "v"], "u")]),
             },
             Variant {
                 kind: "iso_planar",
                 shapes: &["surface"],
-                fields: &[
-                    number("angle_deg", "°", [-180.0, 180.0], 5.0, 0.0),
-                    RULE,
-                    LEAD,
-                    YAW,
-                    LEAST_LEAD,
-                    MOST_LEAD,
-                    MOST_YAW,
-                    TURN_ALONG,
-                    TURN_ACROSS,
-                    ORDER,
-                ],
+                fields: &then_leaning::<1, 10>([number("angle_deg", "°", [-180.0, 180.0], 5.0, 0.0)]),
             },
             Variant {
                 kind: "constant_scallop",
                 shapes: &["surface"],
-                fields: &[
+                fields: &then_leaning::<4, 13>([
                     choice(
                         "start",
                         &["u_low", "u_high", "v_low", "v_high", "u_line", "v_line", "section", "curve"],
@@ -195,53 +188,24 @@ pub const GROUPS: &[Group] = &[
                         .when("start", &["u_line", "v_line"]),
                     POINTS,
                     number("angle_deg", "°", [-180.0, 180.0], 5.0, 0.0).when("start", &["section"]),
-                    RULE,
-                    LEAD,
-                    YAW,
-                    LEAST_LEAD,
-                    MOST_LEAD,
-                    MOST_YAW,
-                    TURN_ALONG,
-                    TURN_ACROSS,
-                    ORDER,
-                ],
+                ]),
             },
-            Variant {
-                kind: "flow",
-                shapes: &["surface"],
-                fields: &[RULE, LEAD, YAW, LEAST_LEAD, MOST_LEAD, MOST_YAW, TURN_ALONG, TURN_ACROSS, ORDER],
-            },
+            Variant { kind: "flow", shapes: &["surface"], fields: &LEANING },
             Variant {
                 kind: "potential_field",
                 shapes: &["surface"],
-                fields: &[
-                    number("least_efficiency_percent", "%", [50.0, 100.0], 1.0, 90.0),
-                    RULE,
-                    LEAD,
-                    YAW,
-                    LEAST_LEAD,
-                    MOST_LEAD,
-                    MOST_YAW,
-                    TURN_ALONG,
-                    TURN_ACROSS,
-                    ORDER,
-                ],
+                fields: &then_leaning::<1, 10>([number(
+                    "least_efficiency_percent",
+                    "%",
+                    [50.0, 100.0],
+                    1.0,
+                    90.0,
+                )]),
             },
             Variant {
                 kind: "auto",
                 shapes: &[],
-                fields: &[
-                    choice("objective", &["time", "length"], "time"),
-                    RULE,
-                    LEAD,
-                    YAW,
-                    LEAST_LEAD,
-                    MOST_LEAD,
-                    MOST_YAW,
-                    TURN_ALONG,
-                    TURN_ACROSS,
-                    ORDER,
-                ],
+                fields: &then_leaning::<1, 10>([choice("objective", &["time", "length"], "time")]),
             },
             Variant {
                 kind: "raster",

@@ -195,92 +195,46 @@ impl HolderSpec {
     }
 }
 
-/// How passes are laid.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case", deny_unknown_fields)]
-#[expect(missing_docs, reason = "names and units are the table's in fields.rs")]
-pub enum StrategySpec {
-    IsoParametric {
-        along: AlongSpec,
-        rule: RuleSpec,
-        lead_deg: f64,
-        yaw_deg: f64,
-        least_lead_deg: f64,
-        most_lead_deg: f64,
-        most_yaw_deg: f64,
-        turn_along_deg_per_mm: f64,
-        turn_across_deg_per_mm: f64,
-        order: OrderSpec,
-    },
-    IsoPlanar {
-        angle_deg: f64,
-        rule: RuleSpec,
-        lead_deg: f64,
-        yaw_deg: f64,
-        least_lead_deg: f64,
-        most_lead_deg: f64,
-        most_yaw_deg: f64,
-        turn_along_deg_per_mm: f64,
-        turn_across_deg_per_mm: f64,
-        order: OrderSpec,
-    },
-    ConstantScallop {
-        start: StartSpec,
-        start_percent: f64,
-        start_points_mm: Vec<[f64; 3]>,
-        angle_deg: f64,
-        rule: RuleSpec,
-        lead_deg: f64,
-        yaw_deg: f64,
-        least_lead_deg: f64,
-        most_lead_deg: f64,
-        most_yaw_deg: f64,
-        turn_along_deg_per_mm: f64,
-        turn_across_deg_per_mm: f64,
-        order: OrderSpec,
-    },
+/// Writes [`StrategySpec`]: strategies for surfaces, each with settings of its own before those by which the cutter leans.
+///
+/// serde could take the latter from a type of their own, but only through a copy of its machinery that the page would have to load.
+macro_rules! strategies {
+    ($($(#[$only:meta])? $name:ident { $($own:ident: $type:ty),* })*) => {
+        /// How passes are laid.
+        #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+        #[serde(rename_all = "snake_case", deny_unknown_fields)]
+        #[expect(missing_docs, reason = "names and units are the table's in fields.rs")]
+        pub enum StrategySpec {
+            $($(#[$only])? $name {
+                $($own: $type,)*
+                rule: RuleSpec,
+                lead_deg: f64,
+                yaw_deg: f64,
+                least_lead_deg: f64,
+                most_lead_deg: f64,
+                most_yaw_deg: f64,
+                turn_along_deg_per_mm: f64,
+                turn_across_deg_per_mm: f64,
+                order: OrderSpec,
+            },)*
+            Raster {
+                angle_deg: f64,
+                order: OrderSpec,
+            },
+        }
+    };
+}
+
+strategies! {
+    IsoParametric { along: AlongSpec }
+    IsoPlanar { angle_deg: f64 }
+    ConstantScallop { start: StartSpec, start_percent: f64, start_points_mm: Vec<[f64; 3]>, angle_deg: f64 }
     #[cfg(feature = "flow")]
-    Flow {
-        rule: RuleSpec,
-        lead_deg: f64,
-        yaw_deg: f64,
-        least_lead_deg: f64,
-        most_lead_deg: f64,
-        most_yaw_deg: f64,
-        turn_along_deg_per_mm: f64,
-        turn_across_deg_per_mm: f64,
-        order: OrderSpec,
-    },
+    Flow {}
     #[cfg(feature = "flow")]
-    PotentialField {
-        least_efficiency_percent: f64,
-        rule: RuleSpec,
-        lead_deg: f64,
-        yaw_deg: f64,
-        least_lead_deg: f64,
-        most_lead_deg: f64,
-        most_yaw_deg: f64,
-        turn_along_deg_per_mm: f64,
-        turn_across_deg_per_mm: f64,
-        order: OrderSpec,
-    },
+    PotentialField { least_efficiency_percent: f64 }
     #[cfg(feature = "flow")]
-    Auto {
-        objective: ObjectiveSpec,
-        rule: RuleSpec,
-        lead_deg: f64,
-        yaw_deg: f64,
-        least_lead_deg: f64,
-        most_lead_deg: f64,
-        most_yaw_deg: f64,
-        turn_along_deg_per_mm: f64,
-        turn_across_deg_per_mm: f64,
-        order: OrderSpec,
-    },
-    Raster {
-        angle_deg: f64,
-        order: OrderSpec,
-    },
+    Auto { objective: ObjectiveSpec }
 }
 
 /// What the best of all strategies is the least of: the time of the whole program at its feeds, or the length of its cuts.

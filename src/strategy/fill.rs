@@ -147,18 +147,5 @@ fn covers(family: &Family, needs: &[Need], uv: Uv) -> bool {
 /// The pieces of `line` that lie in the columns of `needs`, with a node to either side.
 fn pieces(family: &Family, line: &IsoLine, needs: &[Need]) -> Vec<IsoLine> {
     let wanted: Vec<bool> = line.nodes.iter().map(|&uv| covers(family, needs, uv)).collect();
-    let last = line.nodes.len() - 1;
-    let grown: Vec<bool> =
-        (0..=last).map(|i| wanted[i] || wanted[i.saturating_sub(1)] || wanted[(i + 1).min(last)]).collect();
-    let mut pieces = Vec::new();
-    let mut start = 0;
-    for run in grown.chunk_by(|a, b| a == b) {
-        if run[0] && run.len() > 1 {
-            let nodes = line.nodes[start..start + run.len()].to_vec();
-            let closed = line.closed && run.len() == line.nodes.len();
-            pieces.push(IsoLine { level: line.level, nodes, closed });
-        }
-        start += run.len();
-    }
-    pieces
+    line.pieces(&wanted).into_iter().map(|(_, piece)| piece).collect()
 }

@@ -27,9 +27,6 @@ use glam::DVec3;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-/// Cells of the grid on which functions are compared: in strips on flat ground, and at least and at most so many a side.
-const CELL: f64 = 0.7;
-const CELLS: [usize; 2] = [24, 56];
 /// Directions of parallel sections that are compared.
 const SECTIONS: usize = 12;
 /// How many functions are bent towards the widest strips, and how much: see [`bent`].
@@ -87,7 +84,7 @@ pub fn flow(
     let looking = |from, to| stage.part("Comparing directions", from, to);
     let cutter = &tool.cutter;
     let flat = Potential::flat(cutter, &rule, &finish);
-    let grid = FaceGrid::new(face, CELL * flat, CELLS[0], CELLS[1]);
+    let grid = Potential::grid(face, flat);
     let measured = |rule, stage: &Stage| Potential::new((face, &grid), cutter, &rule, &finish, stage);
     let mut ways = ways((face, &grid), &measured(rule, &looking(0.0, 0.04))?, &rule, &looking(0.04, 0.07))?;
     if let Rule::Widest(limits) = rule {

@@ -71,11 +71,11 @@ pub(super) fn followed(
         return Err(StrategyError::FitsNowhere(why.into()));
     }
     let Family { setup, .. } = &parts[0].family;
-    let mut beyond = Zone::empty();
+    // What each part cannot reach.
+    let mut zones = Vec::new();
     for (k, part) in parts.iter().enumerate() {
         let mapping = share("Mapping what is unreachable", 0.5, 0.65, k);
-        let own = unreached::zone(&part.family.setup, &part.tracks, &[], &mapping)?;
-        beyond = if parts.len() == 1 { own } else { beyond.joined(&own) };
+        zones.push(unreached::zone(&part.family.setup, &part.tracks, &[], &mapping)?);
     }
     let tracks = || parts.iter().flat_map(|part| &part.tracks);
     let edges = places::edges(tracks());
@@ -92,27 +92,31 @@ pub(super) fn followed(
     for round in 0..=GLEANINGS {
         let at = |t: f64| 0.65 + 0.35 * (round as f64 + t) / (GLEANINGS + 1) as f64;
         let part = |name, from, to| stage.part(name, at(from), at(to));
+        let own_share = |from, to, k| share(FILL, at(from), at(to), k);
         let moves = Moves::new(setup, passes.iter().flatten());
         let looks = match last.take() {
             Some(left) => left,
             None => first.looks(&moves, (others, &ridges), &part(FILL, 0.0, 0.2))?,
         };
-        let is_within = |look: &Look| !beyond.contains(setup.face.surface.point(look.uv));
+        let is_within = |look: &Look| {
+            let here = setup.face.surface.point(look.uv);
+            !zones.iter().any(|zone| zone.contains(here))
+        };
         let looks: Vec<Look> = looks.into_iter().filter(is_within).collect();
         // By their parts, where the cutter can go and where it cannot.
         let mut left: Vec<[Vec<Look>; 2]> = Vec::new();
         for (k, Part { family, .. }) in parts.iter().enumerate() {
             let own: Vec<Look> = looks.iter().filter(|look| owner(look) == k).copied().collect();
-            left.push(family.left(&own, &moves, &part(FILL, 0.2, 0.4).quiet())?);
+            left.push(family.left(&own, &moves, &own_share(0.2, 0.4, k))?);
         }
         is_whole = left.iter().all(|[open, _]| open.is_empty());
         let is_last = round == GLEANINGS || (is_whole && is_trimmed);
         if is_whole || is_last {
             // What no pass beside it has finished by now none will.
-            for ([_, blocked], part) in left.iter().zip(parts).filter(|([_, blocked], _)| !blocked.is_empty())
-            {
-                let own = unreached::zone(&part.family.setup, &part.tracks, blocked, &stage.quiet())?;
-                beyond = if parts.len() == 1 { own } else { beyond.joined(&own) };
+            for ((zone, part), [_, blocked]) in zones.iter_mut().zip(parts).zip(&left) {
+                if !blocked.is_empty() {
+                    *zone = unreached::zone(&part.family.setup, &part.tracks, blocked, &stage.quiet())?;
+                }
             }
         }
         if is_last {
@@ -124,8 +128,8 @@ pub(super) fn followed(
             continue;
         }
         for (k, (Part { family, .. }, [open, _])) in parts.iter().zip(&left).enumerate() {
-            let short = family.short_lines(open, round, &part(FILL, 0.4, 0.8).quiet())?;
-            passes.extend(family.walk(&short, &part("Following the surface", 0.8, 1.0).quiet())?);
+            let short = family.short_lines(open, round, &stage.quiet())?;
+            passes.extend(family.walk(&short, &own_share(0.4, 1.0, k))?);
             ways.extend(short.iter().map(|track| (k, track.level)));
         }
         last = Some(left.into_iter().flatten().flatten().collect());
@@ -139,7 +143,8 @@ pub(super) fn followed(
     }
     let fits = parts.iter().filter_map(|part| part.family.setup.postures.largest_fit());
     let largest_fit = fits.reduce(f64::min);
-    Ok((Planned { passes: sorted, unreached: beyond, unseen: Zone::empty(), largest_fit }, is_whole))
+    let unreached = zones.into_iter().reduce(|all, zone| all.joined(&zone)).unwrap_or_else(Zone::empty);
+    Ok((Planned { passes: sorted, unreached, unseen: Zone::empty(), largest_fit }, is_whole))
 }
 
 impl Family<'_> {

@@ -24,6 +24,10 @@ const CHOSEN: f64 = 0.2;
 /// a stamp, a field must still go on.
 const BELIEVED: [f64; 2] = [0.1, 4.0];
 
+/// Cells of a grid on which ways over a face are compared: in strips on flat ground, and at least and at most so many a side.
+const CELL: f64 = 0.7;
+const CELLS: [usize; 2] = [24, 56];
+
 /// Widths of strips at the nodes of a grid.
 #[derive(Debug)]
 pub struct Potential {
@@ -60,6 +64,11 @@ impl Potential {
             Some(Node { frame, widths: std::array::from_fn(width) })
         };
         Ok(Self { nodes: stage.map(count, node)? })
+    }
+
+    /// A grid of `face` fine enough to compare ways over it, for strips that are `flat` mm wide on flat ground.
+    pub(super) fn grid(face: &Face, flat: f64) -> FaceGrid {
+        FaceGrid::new(face, CELL * flat, CELLS[0], CELLS[1])
     }
 
     /// About how wide strips are on flat ground, mm.

@@ -12,16 +12,13 @@ use super::potential::Potential;
 use super::streamlines::{Streamlines, Swept};
 use super::{Finish, Order, Planned, StrategyError};
 use crate::cutter::Tool;
-use crate::geometry::{Face, FaceGrid, IsoLine, Uv};
+use crate::geometry::{Face, FaceGrid, Uv};
 use crate::monitor::Stage;
 use crate::posture::Rule;
 
-/// Cells of the grid on which the potential is looked at: in strips on flat ground, and at least and at most so many a side.
-const CELL: f64 = 0.7;
-const CELLS: [usize; 2] = [24, 56];
 /// Families at most: the last goes on however efficient it is.
 const FAMILIES: usize = 8;
-/// The share of the nodes of that grid that may be left to short passes.
+/// The share of the nodes of the potential's grid that may be left to short passes.
 const LEFT: f64 = 0.004;
 /// A path over less fresh ground than this, in strips, says nothing about its efficiency.
 const STUB: f64 = 3.0;
@@ -41,7 +38,7 @@ pub fn potential_field(
 ) -> Result<Planned, StrategyError> {
     let looking = stage.part("Measuring the potential", 0.0, 0.05);
     let flat = Potential::flat(&tool.cutter, &rule, &finish);
-    let grid = FaceGrid::new(face, CELL * flat, CELLS[0], CELLS[1]);
+    let grid = Potential::grid(face, flat);
     let potential = Potential::new((face, &grid), &tool.cutter, &rule, &finish, &looking)?;
     let lines = Streamlines::new(face, &grid, &potential);
     let planner = Planner { face, tool, finish, order, least_efficiency, grid: &grid, lines, flat };
@@ -154,18 +151,9 @@ fn clip(track: &mut Candidate, is_done: &dyn Fn(Uv) -> bool) {
     let (mut lines, mut probes) = (Vec::new(), Vec::new());
     for (line, own) in track.lines.iter().zip(&track.probes) {
         let fresh: Vec<bool> = line.nodes.iter().map(|uv| !is_done(*uv)).collect();
-        let last = fresh.len() - 1;
-        let grown: Vec<bool> =
-            (0..=last).map(|i| fresh[i.saturating_sub(1)] || fresh[i] || fresh[(i + 1).min(last)]).collect();
-        let mut start = 0;
-        for run in grown.chunk_by(|a, b| a == b) {
-            let piece = start..start + run.len();
-            if run[0] && run.len() > 1 {
-                let closed = line.closed && run.len() == grown.len();
-                lines.push(IsoLine { level: line.level, nodes: line.nodes[piece.clone()].to_vec(), closed });
-                probes.push(own[piece].to_vec());
-            }
-            start += run.len();
+        for (place, piece) in line.pieces(&fresh) {
+            lines.push(piece);
+            probes.push(own[place].to_vec());
         }
     }
     (track.lines, track.probes) = (lines, probes);
