@@ -145,7 +145,7 @@ fn covers(family: &Family, needs: &[Need], uv: Uv) -> bool {
 }
 
 /// The pieces of `line` that lie in the columns of `needs`, with a node to either side.
-fn pieces(family: &Family, line: &IsoLine, needs: &[Need]) -> Vec<IsoLine> {
+fn pieces(family: &Family, line: &IsoLine, needs: &[Need]) -> impl Iterator<Item = IsoLine> + use<> {
     let wanted: Vec<bool> = line.nodes.iter().map(|&uv| covers(family, needs, uv)).collect();
-    line.pieces(&wanted).into_iter().map(|(_, piece)| piece).collect()
+    line.pieces(&wanted).into_iter().map(|(_, piece)| piece)
 }

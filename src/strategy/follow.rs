@@ -143,7 +143,7 @@ pub(super) fn followed(
     }
     let fits = parts.iter().filter_map(|part| part.family.setup.postures.largest_fit());
     let largest_fit = fits.reduce(f64::min);
-    let unreached = zones.into_iter().reduce(|all, zone| all.joined(&zone)).unwrap_or_else(Zone::empty);
+    let unreached = zones.iter().fold(Zone::empty(), |all, zone| all.joined(zone));
     Ok((Planned { passes: sorted, unreached, unseen: Zone::empty(), largest_fit }, is_whole))
 }
 
