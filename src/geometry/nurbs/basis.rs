@@ -24,6 +24,24 @@ pub(crate) fn span(knots: &[f64], degree: usize, count: usize, x: f64) -> usize 
     degree + inner.partition_point(|&knot| knot <= x && knot < end)
 }
 
+/// The values of [`Basis::at`] alone, to the last bit the same.
+#[inline]
+pub(super) fn values<const ORDER: usize>(knots: &[f64], degree: usize, span: usize, x: f64) -> [f64; ORDER] {
+    let mut value = [0.0; ORDER];
+    value[0] = 1.0;
+    for j in 1..=degree.min(ORDER - 1) {
+        let mut rising = 0.0;
+        for r in 0..j {
+            let (lo, hi) = (knots[span + 1 + r - j], knots[span + 1 + r]);
+            let v = value[r] * (1.0 / (hi - lo));
+            value[r] = rising + (hi - x) * v;
+            rising = (x - lo) * v;
+        }
+        value[j] = rising;
+    }
+    value
+}
+
 impl<const ORDER: usize> Basis<ORDER> {
     /// The functions of `degree` (at least 1, below `ORDER`) at `x` on the span number `span`, which must have some length.
     ///

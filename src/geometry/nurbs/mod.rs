@@ -12,7 +12,7 @@ pub(super) use basis::{Basis, span};
 pub use error::{MAX_POINTS, NurbsError};
 
 use super::{Domain, Jet, Range, Surface, Uv};
-use basis::MAX_ORDER;
+use basis::{MAX_ORDER, values};
 use glam::{DVec3, DVec4};
 
 /// One of the two parameters of a surface.
@@ -180,6 +180,20 @@ impl NurbsSurface {
         let largest = |first: [f64; ORDER]| first.iter().fold(0.0, |most: f64, d| most.max(d.abs()));
         Sums { sums, slopes: [largest(bu.first), largest(bv.first)] }
     }
+
+    /// The first of [`NurbsSurface::sums`], the homogeneous value at `uv`, alone.
+    #[inline]
+    fn sum<const ORDER: usize>(&self, uv: Uv) -> DVec4 {
+        let ([pu, pv], [nu, nv]) = (self.degrees, self.counts);
+        let (span_u, span_v) = (span(&self.knots[0], pu, nu, uv.u), span(&self.knots[1], pv, nv, uv.v));
+        let bu = values::<ORDER>(&self.knots[0], pu, span_u, uv.u);
+        let bv = values::<ORDER>(&self.knots[1], pv, span_v, uv.v);
+        let row = |i: usize| {
+            let start = (span_u - pu + i) * nv + span_v - pv;
+            self.net[start..=start + pv].iter().zip(bv).fold(DVec4::ZERO, |sum, (&p, n)| sum + p * n)
+        };
+        (0..=pu.min(ORDER - 1)).fold(DVec4::ZERO, |sum, i| sum + row(i) * bu[i])
+    }
 }
 
 /// What one evaluation adds up.
@@ -237,5 +251,15 @@ impl Surface for NurbsSurface {
             dv: above_rounding(jet.dv, jet.p, slopes[1]),
             ..jet
         }
+    }
+
+    fn point(&self, uv: Uv) -> DVec3 {
+        let uv = self.domain.hold(uv);
+        let sum = match self.degrees[0].max(self.degrees[1]) {
+            0..=3 => self.sum::<4>(uv),
+            4..=7 => self.sum::<8>(uv),
+            _ => self.sum::<MAX_ORDER>(uv),
+        };
+        if self.rational { sum.truncate() * (1.0 / sum.w) } else { sum.truncate() }
     }
 }

@@ -248,6 +248,18 @@ fn every_fault_has_its_name() {
 }
 
 #[test]
+fn a_point_alone_is_that_of_the_jet_to_the_last_bit() {
+    for degrees in [[1, 1], [3, 2], [5, 7], [9, 3]] {
+        for rational in [false, true] {
+            let surface = random_surface(degrees, rational);
+            for uv in sample(&surface, 200) {
+                assert_eq!(surface.point(uv), surface.jet(uv).p, "{degrees:?} {uv:?}");
+            }
+        }
+    }
+}
+
+#[test]
 fn no_parameter_breaks_the_evaluation() {
     let surface = sphere(1.0);
     for x in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300, -1e300] {
