@@ -63,6 +63,54 @@ impl Body {
         };
         core - self.corner_radius
     }
+
+    /// The unit gradient of [`Body::distance`] at `point`; on the axis one of many.
+    pub(super) fn gradient(&self, point: DVec3) -> DVec3 {
+        let Slope { out, along: [outwards, upwards], .. } = self.slope(point);
+        out * outwards + self.axis * upwards
+    }
+
+    /// The directions in which [`Body::gradient`] turns, with by how much, 1/mm. On the axis, where rings shrink to a point, they
+    /// do not count.
+    pub(super) fn bend(&self, point: DVec3) -> [(f64, DVec3); 2] {
+        let Slope { out, rho, along: [outwards, upwards], turn } = self.slope(point);
+        let within = (turn, out * upwards - self.axis * outwards);
+        let around = (if rho > 0.0 { outwards / rho } else { 0.0 }, self.axis.cross(out));
+        [within, around]
+    }
+
+    fn slope(&self, point: DVec3) -> Slope {
+        let v = point - self.center;
+        let z = v.dot(self.axis);
+        let beside = v - self.axis * z;
+        let rho = beside.length();
+        let x = rho - self.center_radius;
+        let out = if rho > 0.0 { beside / rho } else { self.axis.any_orthonormal_vector() };
+        let ((sa, ca), (sb, cb)) = (self.bottom, self.side);
+        let (bottom, side) = (([sa, -ca], 0.0), ([cb, -sb], 0.0));
+        let (along, turn) = match (-x * ca - z * sa >= 0.0, x * sb + z * cb >= 0.0) {
+            (true, true) if x * sa - z * ca < x * cb - z * sb => side,
+            (true, _) => bottom,
+            (false, true) => side,
+            (false, false) => {
+                let away = (x * x + z * z).sqrt();
+                if away > 0.0 { ([x / away, z / away], 1.0 / away) } else { bottom }
+            }
+        };
+        Slope { out, rho, along, turn }
+    }
+}
+
+/// How the distance from a cutter changes at a place.
+struct Slope {
+    /// Unit, away from the axis.
+    out: DVec3,
+    /// Distance from the axis, mm.
+    rho: f64,
+    /// The gradient's parts away from the axis and along it.
+    along: [f64; 2],
+    /// By how much it turns within the plane of both, 1/mm.
+    turn: f64,
 }
 
 #[cfg(test)]
@@ -87,6 +135,7 @@ mod tests {
                 let on = cl.tip + across * radius + axis * z;
                 assert!(body.distance(on).abs() < 1e-9, "{cutter:?} {radius}");
                 assert!(body.distance(on - axis * 0.01) > 0.0);
+                assert_slopes(&body, on + (across * 0.3 - axis) * 0.2);
                 for (away, deep) in [(0.0, 0.5), (0.3, 0.5), (0.3, 0.2)] {
                     let below = on - axis * deep + across * deep;
                     let told = body.is_clear(below, away);
@@ -95,6 +144,21 @@ mod tests {
                 let aside = across * 3.0 * cutter.largest_radius() - axis * (z + 1.0);
                 assert!(body.is_clear(on + aside - axis, 0.1) || cutter.taper > 0.0);
             }
+        }
+    }
+
+    /// Gradient and bend beside differences, along three directions and where the place is not on an edge of two kinds of outline.
+    fn assert_slopes(body: &Body, p: DVec3) {
+        const STEP: f64 = 1e-4;
+        for d in [DVec3::X, DVec3::new(0.6, 0.8, 0.0), DVec3::new(0.0, 0.28, 0.96)] {
+            let at = |k: f64| body.distance(p + d * (k * STEP));
+            let slope = (at(1.0) - at(-1.0)) / (2.0 * STEP);
+            assert!((slope - body.gradient(p).dot(d)).abs() < 1e-6, "{slope}");
+            let bend = (at(1.0) - 2.0 * at(0.0) + at(-1.0)) / (STEP * STEP);
+            let told: f64 = body.bend(p).iter().map(|(turn, along)| turn * along.dot(d).powi(2)).sum();
+            let sides = [-1.0, 1.0].map(|k| body.bend(p + d * (k * STEP))[0].0);
+            let is_smooth = (sides[0] > 0.0) == (sides[1] > 0.0);
+            assert!(!is_smooth || (bend - told).abs() < 1e-4 * (1.0 + told.abs()), "{bend} {told}");
         }
     }
 }

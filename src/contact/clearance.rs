@@ -1,5 +1,6 @@
 //! Whether the whole cutter clears a face that one point of it touches.
 
+use super::approach::{Asked, nearest};
 use super::body::Body;
 use crate::cutter::{Cutter, Holder};
 use crate::geometry::{Domain, Face, FaceGrid, Uv};
@@ -7,7 +8,7 @@ use crate::math::frame::Frame;
 use crate::toolpath::ClPoint;
 use glam::DVec3;
 
-/// A face as an obstacle: its points on a grid, in two levels of blocks.
+/// A face as an obstacle: its points on a grid, in three levels of blocks.
 #[derive(Debug, Clone)]
 pub struct FaceObstacle {
     face: Face,
@@ -16,11 +17,14 @@ pub struct FaceObstacle {
     cell: f64,
 }
 
-/// Nodes of the grid with a ball around them, and the blocks inside.
+/// Nodes of the grid with a ball around them and the plates that hold them, and the blocks inside.
 #[derive(Debug, Clone)]
 struct Block {
     center: DVec3,
     radius: f64,
+    /// Unit, and how far the nodes lie from the plane through the centre that is square to it, mm.
+    normal: DVec3,
+    thickness: f64,
     i: (usize, usize),
     j: (usize, usize),
     children: Vec<Block>,
@@ -35,8 +39,8 @@ const SPOKES: usize = 8;
 /// The least part of a step beside a contact.
 const SHORTEST: f64 = 1e-3;
 
-/// Nodes a side of a small block, and small blocks a side of a large one: an 8 × 8 × 8 × 8 tree holds a 64 × 64 grid.
-const SIDE: usize = 8;
+/// Nodes a side of the largest blocks, of those inside, and of those inside these.
+const SIDES: [usize; 3] = [64, 16, 4];
 
 impl FaceObstacle {
     /// Samples `face` at most about `cell` mm apart. A feature that a cutter can touch between samples is followed
@@ -44,12 +48,7 @@ impl FaceObstacle {
     pub fn new(face: &Face, cell: f64) -> Self {
         let grid = FaceGrid::new(face, cell, 16, 1000);
         let (nu, nv) = grid.size();
-        let blocks = tile((0, nu), (0, nv), SIDE * SIDE)
-            .map(|(i, j)| {
-                let children = tile(i, j, SIDE).map(|(i, j)| Block::new(&grid, i, j, Vec::new())).collect();
-                Block::new(&grid, i, j, children)
-            })
-            .collect();
+        let blocks = tiled(&grid, (0, nu), (0, nv), &SIDES);
         Self { face: face.clone(), grid, blocks, cell }
     }
 
@@ -67,24 +66,37 @@ impl FaceObstacle {
     /// How deep the cutter at `cl` reaches into the face beyond the neighbourhood of its contact, mm: 0 or negative.
     ///
     /// The neighbourhood is one and a half cells around `contact`; there only samples deeper than `enough` tell, and the
-    /// rest is for [`FaceObstacle::depth_beside`]. Depths are found to about a hundredth of the cell's own sag. What is deeper than
+    /// rest is for [`FaceObstacle::digs_beside`]. Depths are found to about a hundredth of the cell's own sag. What is deeper than
     /// `enough` (mm, negative) is not followed further down.
     pub fn depth(&self, cutter: &Cutter, cl: &ClPoint, contact: DVec3, enough: f64) -> f64 {
+        self.lowest(cutter, cl, contact, Asked { enough, above: 0.0 }).min(0.0)
+    }
+
+    /// Whether [`FaceObstacle::depth`] is more than `allowed` (mm, negative): far quicker than how much it is.
+    pub fn digs(&self, cutter: &Cutter, cl: &ClPoint, contact: DVec3, allowed: f64) -> bool {
+        self.lowest(cutter, cl, contact, Asked { enough: allowed, above: allowed }) < allowed
+    }
+
+    /// The least distance of the face from the cutter at `cl` beyond the neighbourhood of its `contact`, as far as it is asked for, mm.
+    fn lowest(&self, cutter: &Cutter, cl: &ClPoint, contact: DVec3, asked: Asked) -> f64 {
         let body = Body::new(cutter, cl);
         let margin = self.margin(cutter);
-        let mut deepest = 0.0f64;
+        let mut lowest = f64::INFINITY;
         for (i, j, here) in self.nearer(&body, margin) {
-            if here < enough {
+            if here < asked.enough {
                 return here;
             }
             if self.is_beside(contact, i, j) {
                 continue;
             }
             if self.is_lowest(&body, (i, j), here) {
-                deepest = deepest.min(self.descend_from(&body, i, j, here, contact));
+                lowest = lowest.min(self.descend_from(&body, (i, j), contact, asked));
+                if lowest < asked.enough {
+                    break;
+                }
             }
         }
-        deepest
+        lowest
     }
 
     /// Whether the cutter at `cl`, larger by `more` (mm) to every side, certainly touches the face nowhere: it also says no where it
@@ -106,7 +118,7 @@ impl FaceObstacle {
         let mut open: Vec<&Block> = self.blocks.iter().collect();
         let blocks = std::iter::from_fn(move || {
             while let Some(block) = open.pop() {
-                if body.distance(block.center) - block.radius > margin {
+                if block.is_beyond(body, margin) {
                     continue;
                 }
                 if block.children.is_empty() {
@@ -132,14 +144,14 @@ impl FaceObstacle {
         0.25 * self.cell * self.cell * (1.0 / cutter.corner_radius.max(0.1) + 0.1)
     }
 
-    /// How deep the cutter at `cl` reaches into the face right beside its contact at `uv`, in the neighbourhood that
-    /// [`FaceObstacle::depth`] leaves out, mm: 0 or negative. Found on rings around the contact and, where one of them
-    /// dips below the cutter, followed down from there.
-    pub fn depth_beside(&self, cutter: &Cutter, cl: &ClPoint, uv: Uv, frame: &Frame) -> f64 {
+    /// Whether the cutter at `cl` reaches deeper than `allowed` (mm, negative) into the face right beside its contact at `uv`, in the
+    /// neighbourhood that [`FaceObstacle::depth`] leaves out. Found on rings around the contact and, where one of them dips below the
+    /// cutter, followed down from there.
+    pub fn digs_beside(&self, cutter: &Cutter, cl: &ClPoint, uv: Uv, frame: &Frame, allowed: f64) -> bool {
         let body = Body::new(cutter, cl);
         let domain = self.face.domain();
         let jet = self.face.jet(uv);
-        let mut deepest = 0.0f64;
+        let asked = Asked { enough: allowed, above: allowed };
         for (ring, radius) in RINGS.map(|share| share * self.cell).into_iter().enumerate() {
             let mut lowest: Option<(f64, Uv)> = None;
             for k in 0..SPOKES {
@@ -153,13 +165,15 @@ impl FaceObstacle {
                     lowest = Some((here, beside));
                 }
             }
-            if let Some((here, at)) = lowest.filter(|(here, _)| *here < 0.0) {
+            if let Some((_, at)) = lowest.filter(|(here, _)| *here < 0.0) {
                 let Some((du, dv)) = jet.pull_back((frame.f + frame.b) * (0.5 * radius)) else { continue };
                 let step = Uv::new(du.abs(), dv.abs());
-                deepest = deepest.min(self.descend(&body, (at, here), step).1);
+                if nearest(&self.face, &body, at, step, asked, |_| false).distance < allowed {
+                    return true;
+                }
             }
         }
-        deepest
+        false
     }
 
     /// The point one `step` of parameters beside `uv`, where the face's point is `p`. Near a border that all but shrinks to
@@ -189,76 +203,24 @@ impl FaceObstacle {
     }
 
     /// The least distance near the node, 0 where the way down leads to the `contact`.
-    fn descend_from(&self, body: &Body, i: usize, j: usize, here: f64, contact: DVec3) -> f64 {
+    fn descend_from(&self, body: &Body, (i, j): (usize, usize), contact: DVec3, asked: Asked) -> f64 {
         let (nu, nv) = self.grid.size();
         let (low, high) = (
             self.grid.uv(i.saturating_sub(1), j.saturating_sub(1)),
             self.grid.uv((i + 1).min(nu - 1), (j + 1).min(nv - 1)),
         );
         let step = Uv::new(0.5 * (high.u - low.u), 0.5 * (high.v - low.v));
-        let (at, best) = self.descend(body, (self.grid.uv(i, j), here), step);
-        // What slid back to the contact is the contact.
-        let end = self.face.surface.point(at);
-        if end.distance_squared(contact) < self.cell * self.cell { 0.0 } else { best }
-    }
-
-    /// Where the distance is least near `at`, where it is `best`, and how much it is: on squares of nine places, and where
-    /// the parabola through them is lowest, since valleys run aslant to the parameters. A square shrinks where it finds
-    /// nothing lower any more: where curvatures nearly match, valleys are long and shallow.
-    fn descend(&self, body: &Body, (mut at, mut best): (Uv, f64), mut step: Uv) -> (Uv, f64) {
-        let domain = self.face.domain();
-        let mut shrunk = 0;
-        for _ in 0..MOST_ROUNDS {
-            let place = |a: f64, b: f64| domain.clamp(Uv::new(at.u + a * step.u, at.v + b * step.v));
-            let look = |uv: Uv| (uv, body.distance(self.face.surface.point(uv)));
-            let square: [[(Uv, f64); 3]; 3] = std::array::from_fn(|j| {
-                std::array::from_fn(|i| {
-                    if (i, j) == (1, 1) { (at, best) } else { look(place(i as f64 - 1.0, j as f64 - 1.0)) }
-                })
-            });
-            let lowest = lowest_of(&square.map(|row| row.map(|(_, distance)| distance)));
-            let tried = lowest.map(|(a, b)| look(place(a, b)));
-            let before = best;
-            for (uv, distance) in square.into_iter().flatten().chain(tried) {
-                if distance < best {
-                    (at, best) = (uv, distance);
-                }
-            }
-
-            if before - best < SLOW {
-                step = Uv::new(SHRINK * step.u, SHRINK * step.v);
-                shrunk += 1;
-                if shrunk == SHRINKINGS {
-                    break;
-                }
-            }
-        }
-        (at, best)
+        // What slides back to the contact is the contact.
+        let is_contact = |point: DVec3| point.distance_squared(contact) < self.cell * self.cell;
+        let end = nearest(&self.face, body, self.grid.uv(i, j), step, asked, is_contact);
+        if is_contact(end.point) { 0.0 } else { end.distance }
     }
 }
 
-/// How a square shrinks, and how often: to a thousandth of a cell.
-const SHRINK: f64 = 0.25;
-const SHRINKINGS: usize = 5;
-/// What counts as nothing lower, mm; squares looked at in one descent at most.
-const SLOW: f64 = 1e-5;
-const MOST_ROUNDS: usize = 40;
-/// How far beyond its square a parabola is believed.
-const BELIEVED: f64 = 3.0;
-
-/// Where the parabola nearest to the values on the square from −1 to 1 is lowest; `None` where it is no bowl.
-fn lowest_of(f: &[[f64; 3]; 3]) -> Option<(f64, f64)> {
-    let sum = |weight: &dyn Fn(f64, f64) -> f64| -> f64 {
-        (0..9).map(|k| weight((k % 3) as f64 - 1.0, (k / 3) as f64 - 1.0) * f[k / 3][k % 3]).sum()
-    };
-    let (fx, fy) = (sum(&|x, _| x) / 6.0, sum(&|_, y| y) / 6.0);
-    let fxx = sum(&|x, _| 3.0 * x * x - 2.0) / 3.0;
-    let fyy = sum(&|_, y| 3.0 * y * y - 2.0) / 3.0;
-    let fxy = sum(&|x, y| x * y) / 4.0;
-    let determinant = fxx * fyy - fxy * fxy;
-    let (a, b) = ((fxy * fy - fyy * fx) / determinant, (fxy * fx - fxx * fy) / determinant);
-    let bowl = determinant > 0.0 && fxx > 0.0;
-    (bowl && a.abs().max(b.abs()) <= BELIEVED).then_some((a, b))
+/// Blocks of the first of `sides` that tile the nodes, with blocks of the others inside.
+fn tiled(grid: &FaceGrid, i: (usize, usize), j: (usize, usize), sides: &[usize]) -> Vec<Block> {
+    let Some((&side, others)) = sides.split_first() else { return Vec::new() };
+    tile(i, j, side).map(|(i, j)| Block::new(grid, i, j, tiled(grid, i, j, others))).collect()
 }
 
 impl Block {
@@ -270,7 +232,24 @@ impl Block {
             });
         let center = 0.5 * (low + high);
         let radius = points().map(|p| p.distance(center)).fold(0.0, f64::max);
-        Self { center, radius, i, j, children }
+        let [a, b] = [(i.0, j.0, i.1 - 1, j.1 - 1), (i.1 - 1, j.0, i.0, j.1 - 1)];
+        let diagonal = |(i, j, k, l): (usize, usize, usize, usize)| grid.point(k, l) - grid.point(i, j);
+        let normal = diagonal(a).cross(diagonal(b)).try_normalize().unwrap_or(DVec3::Z);
+        let thickness = points().map(|p| (p - center).dot(normal).abs()).fold(0.0, f64::max);
+        Self { center, radius, normal, thickness, i, j, children }
+    }
+
+    /// Whether no node is nearer to the cutter than `margin`, mm: the cutter is convex, so that none is nearer than the tangent plane of
+    /// its distance at the centre has it.
+    fn is_beyond(&self, body: &Body, margin: f64) -> bool {
+        let room = body.distance(self.center) - margin;
+        if room > self.radius || room < -self.thickness {
+            return room > self.radius;
+        }
+        let gradient = body.gradient(self.center);
+        let across = gradient.dot(self.normal);
+        let aside = (1.0 - across * across).max(0.0).sqrt();
+        room > aside * self.radius + across.abs() * self.thickness
     }
 }
 

@@ -1,5 +1,6 @@
 //! The cutter against a surface at one contact point: where it stands, how it bends away, what it finishes.
 
+mod approach;
 mod body;
 mod circle;
 mod clearance;

@@ -108,8 +108,8 @@ pub(super) fn is_clear(ground: &Ground, cutter: &Cutter, node: &Node, posture: P
     let Some(lift) = least_lift(ground, cutter, node, posture) else { return false };
     let point = node.point + contact.frame.n * lift;
     let cl = cl_of(cutter, &CcPoint { point, frame: contact.frame, posture });
-    ground.obstacle.depth(cutter, &cl, node.point, allowed) >= allowed
-        && ground.obstacle.depth_beside(cutter, &cl, node.uv, &contact.frame) >= allowed
+    !ground.obstacle.digs(cutter, &cl, node.point, allowed)
+        && !ground.obstacle.digs_beside(cutter, &cl, node.uv, &contact.frame, allowed)
         && ground.holder.is_none_or(|holder| ground.obstacle.clears_holder(&holder, &cl, 0.0))
 }
 

@@ -102,14 +102,14 @@ impl Setup<'_> {
     /// nor anywhere else.
     pub(super) fn fits(&self, station: &Station, uv: Uv) -> bool {
         let (cl, cc) = (&station.cl, &station.cc);
-        self.obstacle.depth_beside(self.cutter, cl, uv, &cc.frame) >= -GOUGE
-            && self.obstacle.depth(self.cutter, cl, cc.point, -GOUGE) >= -GOUGE
+        !self.obstacle.digs_beside(self.cutter, cl, uv, &cc.frame, -GOUGE)
+            && !self.obstacle.digs(self.cutter, cl, cc.point, -GOUGE)
             && self.holder_clears(cl)
     }
 
     /// Whether the cutter at `cl`, which touches nothing, reaches into the face nowhere at all.
     pub(super) fn is_off(&self, cl: &ClPoint) -> bool {
-        self.obstacle.depth(self.cutter, cl, DVec3::INFINITY, -GOUGE) >= -GOUGE && self.holder_clears(cl)
+        !self.obstacle.digs(self.cutter, cl, DVec3::INFINITY, -GOUGE) && self.holder_clears(cl)
     }
 
     fn holder_clears(&self, cl: &ClPoint) -> bool {

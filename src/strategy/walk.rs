@@ -165,7 +165,7 @@ impl Walker<'_> {
         let is_off = |s: f64| {
             let Some(axis) = a.cl.axis.lerp(b.cl.axis, s).try_normalize() else { return false };
             let cl = ClPoint { tip: a.cl.tip.lerp(b.cl.tip, s), axis };
-            self.setup.obstacle.depth(self.setup.cutter, &cl, DVec3::INFINITY, allowed) >= allowed
+            !self.setup.obstacle.digs(self.setup.cutter, &cl, DVec3::INFINITY, allowed)
         };
         [0.5, 0.25, 0.75].into_iter().all(is_off)
     }
@@ -174,7 +174,7 @@ impl Walker<'_> {
     /// chords may together. A posture that is chosen leaves hardly any room under the rear.
     fn stays_off(&self, cl: &ClPoint, m: &Station) -> bool {
         let allowed = -ON_THE_WAY * GOUGE;
-        self.setup.obstacle.depth(self.setup.cutter, cl, m.cc.point, allowed) >= allowed
+        !self.setup.obstacle.digs(self.setup.cutter, cl, m.cc.point, allowed)
     }
 
     /// The clear runs of at least two stations.
