@@ -3,7 +3,7 @@
 use super::{Domain, FaceGrid};
 use glam::DVec3;
 
-/// Steps of the conjugate gradients, and the share of the first residual at which they stop.
+/// Steps of the conjugate gradients, and the share of what is asked for that may be left over when they stop.
 const STEPS: usize = 600;
 const ENOUGH: f64 = 1e-4;
 
@@ -75,6 +75,13 @@ pub fn triangles(grid: &FaceGrid) -> impl Iterator<Item = Triangle> {
     })
 }
 
+/// A node's weights on itself and the eight around.
+struct Row {
+    node: usize,
+    around: [usize; 9],
+    weights: [f64; 9],
+}
+
 impl<'a> GradientFit<'a> {
     /// Nothing asked for yet.
     pub fn new(domain: Domain, grid: &'a FaceGrid) -> Self {
@@ -112,8 +119,26 @@ impl<'a> GradientFit<'a> {
         }
     }
 
+    /// The weights of a node on those around; where there is none the node itself stands with a weight of 0.
+    fn row(&self, node: usize) -> Row {
+        let nu = self.grid.size().0;
+        let (i, j) = ((node % nu) as i64, (node / nu) as i64);
+        let mut row = Row { node, around: [node; 9], weights: [0.0; 9] };
+        for w in 0..9 {
+            if let Some(k) = self.node(i + (w % 3) as i64 - 1, j + (w / 3) as i64 - 1) {
+                (row.around[w], row.weights[w]) = (k, self.weights[node][w]);
+            }
+        }
+        row
+    }
+
     /// The change at every node that comes nearest to what was asked, 0 at the nodes `held`; by conjugate gradients.
     pub fn solved(&self, held: impl IntoIterator<Item = usize>) -> Vec<f64> {
+        self.solved_near(&vec![0.0; self.right.len()], held)
+    }
+
+    /// The same, begun at `near`, where there is less to do.
+    pub fn solved_near(&self, near: &[f64], held: impl IntoIterator<Item = usize>) -> Vec<f64> {
         let nu = self.grid.size().0;
         let count = self.right.len();
         let mut is_free: Vec<bool> = (0..count)
@@ -125,17 +150,11 @@ impl<'a> GradientFit<'a> {
                 is_free[k] = false;
             }
         }
+        let rows: Vec<Row> = (0..count).filter(|&k| is_free[k]).map(|k| self.row(k)).collect();
         let apply = |x: &[f64]| -> Vec<f64> {
             let mut y = vec![0.0; count];
-            for k in (0..count).filter(|&k| is_free[k]) {
-                let (i, j) = ((k % nu) as i64, (k / nu) as i64);
-                y[k] = (0..9)
-                    .filter(|&w| self.weights[k][w] != 0.0)
-                    .filter_map(|w| {
-                        let node = self.node(i + (w % 3) as i64 - 1, j + (w / 3) as i64 - 1)?;
-                        Some(self.weights[k][w] * x[node])
-                    })
-                    .sum();
+            for Row { node, around, weights } in &rows {
+                y[*node] = around.iter().zip(weights).map(|(&k, weight)| weight * x[k]).sum();
             }
             y
         };
@@ -143,12 +162,13 @@ impl<'a> GradientFit<'a> {
         let scaled = |r: &[f64]| -> Vec<f64> {
             (0..count).map(|k| if is_free[k] { r[k] / self.weights[k][4] } else { 0.0 }).collect()
         };
-        let mut x = vec![0.0; count];
-        let mut r: Vec<f64> = (0..count).map(|k| if is_free[k] { self.right[k] } else { 0.0 }).collect();
+        let right: Vec<f64> = (0..count).map(|k| if is_free[k] { self.right[k] } else { 0.0 }).collect();
+        let enough = dot(&right, &scaled(&right)) * ENOUGH * ENOUGH;
+        let mut x: Vec<f64> = (0..count).map(|k| if is_free[k] { near[k] } else { 0.0 }).collect();
+        let mut r: Vec<f64> = right.iter().zip(apply(&x)).map(|(right, have)| right - have).collect();
         let mut z = scaled(&r);
         let mut p = z.clone();
         let mut rz = dot(&r, &z);
-        let enough = rz * ENOUGH * ENOUGH;
         for _ in 0..STEPS {
             let q = apply(&p);
             let pq = dot(&p, &q);

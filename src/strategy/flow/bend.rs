@@ -38,7 +38,7 @@ pub(super) fn bent(
                 fit.add(&triangle, &Wish { change: along / width, along, aside: STRAY + share, weight });
             }
         }
-        values = fit.solved([]);
+        values = fit.solved_near(&values, []);
     }
     let low = values.iter().copied().fold(f64::INFINITY, f64::min);
     values.iter().map(|x| x - low).collect()
