@@ -8,6 +8,7 @@ use super::probe::Probe;
 use crate::geometry::{IsoLine, Uv};
 use crate::monitor::{Cancelled, Stage};
 use glam::DVec3;
+use std::collections::BTreeMap;
 
 /// Where more than this share of the limit is left, places lie closer together, so many times.
 const HIGH: f64 = 0.4;
@@ -119,18 +120,36 @@ impl Family<'_> {
 
     /// The places in groups, with their points: those that are so near (mm) to one another hang together.
     fn spots(&self, left: &[Look], near: f64) -> Vec<Vec<(Uv, DVec3)>> {
-        let mut open: Vec<(Uv, DVec3)> =
+        let places: Vec<(Uv, DVec3)> =
             left.iter().map(|look| (look.uv, self.setup.face.surface.point(look.uv))).collect();
+        let cube = |p: DVec3| (p / near).floor().to_array().map(|x| x as i64);
+        // What is in no spot yet, by cubes as wide as places may be apart.
+        let mut open: BTreeMap<[i64; 3], Vec<usize>> = BTreeMap::new();
+        for (k, (_, p)) in places.iter().enumerate() {
+            open.entry(cube(*p)).or_default().push(k);
+        }
+        let mut is_taken = vec![false; places.len()];
         let mut spots = Vec::new();
-        while let Some(first) = open.pop() {
-            let mut spot = vec![first];
+        for first in (0..places.len()).rev() {
+            if is_taken[first] {
+                continue;
+            }
+            is_taken[first] = true;
+            let mut spot = vec![places[first]];
             let mut next = 0;
-            while next < spot.len() {
-                let here: DVec3 = spot[next].1;
-                let (beside, rest): (Vec<_>, Vec<_>) =
-                    open.into_iter().partition(|(_, p)| p.distance_squared(here) < near * near);
-                spot.extend(beside);
-                open = rest;
+            while let Some(&(_, here)) = spot.get(next) {
+                let [i, j, k] = cube(here);
+                for cube in (0..27).map(|c| [i + c % 3 - 1, j + c / 3 % 3 - 1, k + c / 9 - 1]) {
+                    let Some(inside) = open.get_mut(&cube) else { continue };
+                    inside.retain(|&other| {
+                        let is_beside = places[other].1.distance_squared(here) < near * near;
+                        if is_beside && !is_taken[other] {
+                            is_taken[other] = true;
+                            spot.push(places[other]);
+                        }
+                        !is_beside && !is_taken[other]
+                    });
+                }
                 next += 1;
             }
             spots.push(spot);

@@ -103,9 +103,13 @@ impl<'a> Planner<'a> {
             // Lines that wind, or run into themselves, are none to begin with.
             let Ok(seed) = seed(self.face, &start, self.flat) else { continue };
             // Where directions of wide strips turn within a strip no path is efficient all along: the initial one is as good as can be.
-            let most = Swept::of(&line.points[line.fresh.clone()]).efficiency();
-            let least = if parts.len() + 1 < FAMILIES { most * self.least_efficiency } else { 0.0 };
+            let least = self.least_efficiency * Swept::of(&line.points[line.fresh.clone()]).efficiency();
+            let is_last = parts.len() + 1 == FAMILIES;
             let goes_on = |family: &Family, pass: &Candidate| {
+                if is_last {
+                    // Beyond what is done there may be more.
+                    return true;
+                }
                 let swept = self.swept(pass, &is_done);
                 let is_stub = swept.length < STUB * family.setup.strip;
                 swept.length > 0.0 && (is_stub || swept.efficiency() >= least)
