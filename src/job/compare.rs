@@ -1,10 +1,9 @@
-//! Every strategy that applies to a job, side by side, and the best of them.
+//! Every strategy that applies to a job, side by side.
 
 use super::error::JobError;
 use super::report::Verified;
-use super::run::{Plan, plan};
 use super::shape::Shape;
-use super::spec::{ObjectiveSpec, Spec, StrategySpec};
+use super::spec::Spec;
 use crate::monitor::Stage;
 use crate::posture::Rule;
 pub use crate::verify::Floor;
@@ -100,38 +99,4 @@ pub fn holds(verified: &Verified, scallop_mm: f64) -> bool {
     verified.largest_excess_mm.is_some_and(|excess| excess <= limit)
         && verified.largest_gouge_mm.is_some_and(|gouge| gouge >= -MOST_GOUGE)
         && verified.uncut_area_mm2 <= 0.0
-}
-
-/// Plans the job with every strategy that applies and proves them, the quickest first, until one holds: that one. Where none does,
-/// the quickest of all.
-///
-/// Quick is the whole program at its feeds, links and rapid ways included; or, where length is the objective, what has the shortest cuts.
-/// Strategies that cannot be planned are passed over, unless none can.
-pub(super) fn auto(spec: &Spec, bytes: Option<&[u8]>, stage: &Stage) -> Result<Plan, JobError> {
-    let contenders = contenders(spec, bytes)?;
-    let count = contenders.len() as f64;
-    let by_length = matches!(spec.strategy, StrategySpec::Auto { objective: ObjectiveSpec::Length, .. });
-    let mut plans = Vec::new();
-    let mut why = None;
-    for (k, Contender { spec, .. }) in contenders.iter().enumerate() {
-        let part = stage.part("Planning", 0.8 * k as f64 / count, 0.8 * (k + 1) as f64 / count);
-        match plan(spec, bytes, &part) {
-            Ok(plan) => {
-                let report = plan.report(None);
-                plans.push((if by_length { report.length.cut_mm } else { report.time_min }, plan));
-            }
-            Err(JobError::Cancelled(cancelled)) => return Err(cancelled.into()),
-            Err(other) => why = Some(other),
-        }
-    }
-    // Few, and equals keep their order.
-    plans.sort_by(|a, b| a.0.total_cmp(&b.0));
-    for (_, plan) in &plans {
-        let proof = plan.proof(&stage.part("Cutting in simulation", 0.8, 1.0).quiet())?;
-        if holds(&proof.verified, spec.tolerance.scallop_mm) {
-            return Ok(plan.clone());
-        }
-    }
-    let quickest = plans.into_iter().next().map(|(_, plan)| plan);
-    quickest.ok_or_else(|| why.unwrap_or_else(|| JobError::Strategy("no strategy applies".into())))
 }

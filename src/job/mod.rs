@@ -1,6 +1,8 @@
 //! A job from its specification to its result: the one way in for the page and for the command line.
 
 #[cfg(feature = "flow")]
+mod auto;
+#[cfg(feature = "flow")]
 mod compare;
 mod cubes;
 mod error;

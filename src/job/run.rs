@@ -5,10 +5,10 @@ use super::joining::Joining;
 use super::picture::Picture;
 use super::report::{Lengths, Report, Unreachable, Verified, minutes};
 use super::shape::Shape;
-use super::spec::{AlongSpec, OrderSpec, Spec, StrategySpec, VERSION};
+use super::spec::{OrderSpec, Spec, StrategySpec, VERSION};
 use crate::contact::{DropMesh, FaceObstacle, Underside, is_in_mesh};
 use crate::cutter::{Holder, Tool};
-use crate::geometry::{Along, Face, TriMesh, Zone};
+use crate::geometry::{Face, TriMesh, Zone};
 use crate::monitor::Stage;
 use crate::post::{self, Program};
 use crate::posture::Rule;
@@ -36,6 +36,8 @@ pub struct Plan {
     pub emitted: Program,
     /// What every move of the program meets at its end.
     pub touches: Vec<Touch>,
+    /// Its proof, where it was chosen by it.
+    pub(super) proven: Option<Box<Proof>>,
 }
 
 /// What the simulation gives.
@@ -55,7 +57,7 @@ pub struct Proof {
 pub fn plan(spec: &Spec, bytes: Option<&[u8]>, stage: &Stage) -> Result<Plan, JobError> {
     #[cfg(feature = "flow")]
     if let StrategySpec::Auto { .. } = spec.strategy {
-        return super::compare::auto(spec, bytes, stage);
+        return super::auto::auto(spec, bytes, stage);
     }
     stage.part("Reading the shape", 0.0, 0.02).at(0.0)?;
     let cutter = spec.cutter.cutter()?;
@@ -111,6 +113,7 @@ pub fn plan(spec: &Spec, bytes: Option<&[u8]>, stage: &Stage) -> Result<Plan, Jo
         apt,
         emitted,
         touches: linked.touches,
+        proven: None,
     })
 }
 
@@ -133,6 +136,9 @@ impl Plan {
 
     /// The proof, asked for or not.
     pub(super) fn proof(&self, stage: &Stage) -> Result<Proof, JobError> {
+        if let Some(proof) = &self.proven {
+            return Ok(Proof::clone(proof));
+        }
         let unreached = self.planned.unreached.joined(&self.planned.unseen);
         let picture = self.shape.picture_samples()?;
         let samples = self.shape.samples(self.spec.verify.spacing_mm)?;
@@ -192,11 +198,7 @@ fn on_face(
     let rule = spec.strategy.rule()?.unwrap_or(Rule::Fixed(Posture::default()));
     let planned = match &spec.strategy {
         &StrategySpec::IsoParametric { along, order, .. } => {
-            let along = match along {
-                AlongSpec::U => Along::U,
-                AlongSpec::V => Along::V,
-            };
-            strategy::iso_parametric(face, tool, along, rule, finish, order.into(), &passing)?
+            strategy::iso_parametric(face, tool, along.into(), rule, finish, order.into(), &passing)?
         }
         &StrategySpec::IsoPlanar { angle_deg, order, .. } => {
             let angle = angle_deg.to_radians();

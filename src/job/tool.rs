@@ -1,7 +1,9 @@
 //! From a specification's settings to the core's own types.
 
 use super::error::JobError;
-use super::spec::{CutterSpec, FixtureSpec, HolderSpec, OrderSpec, RuleSpec, Spec, StartSpec, StrategySpec};
+use super::spec::{
+    AlongSpec, CutterSpec, FixtureSpec, HolderSpec, OrderSpec, RuleSpec, Spec, StartSpec, StrategySpec,
+};
 use crate::cutter::{Cutter, CutterError, Holder};
 use crate::geometry::Along;
 use crate::posture::{Limits, Rule};
@@ -29,6 +31,15 @@ impl CutterSpec {
             let field = if field == "bottom_angle" { "bottom" } else { field };
             JobError::field(&format!("cutter.{field}_{unit}"), message)
         })
+    }
+}
+
+impl From<AlongSpec> for Along {
+    fn from(along: AlongSpec) -> Self {
+        match along {
+            AlongSpec::U => Self::U,
+            AlongSpec::V => Self::V,
+        }
     }
 }
 

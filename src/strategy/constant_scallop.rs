@@ -14,13 +14,12 @@ mod upwind;
 use super::family::{Candidate, Family, Laid};
 use super::fill;
 use super::follow::{Part, followed};
-use super::iso_planar::mean_normal;
+use super::iso_planar::{self, mean_normal};
 use super::placing::too_many;
 use super::probe::Setup;
 use super::{Finish, Order, Planned, StrategyError};
 use crate::cutter::Tool;
 use crate::geometry::{Along, Face, Field, Table, Uv};
-use crate::math::frame::Frame;
 use crate::monitor::Stage;
 use crate::posture::Rule;
 use crate::toolpath::Posture;
@@ -172,13 +171,10 @@ pub(super) fn seed(face: &Face, start: &Start, strip: f64) -> Result<(Field, f64
         Start::Line { along: Along::V, at } => (Field::U, domain.u.at(at), Field::V),
         Start::Line { along: Along::U, at } => (Field::V, domain.v.at(at), Field::U),
         Start::Section(angle) => {
-            let up = mean_normal(face);
-            let flat = Frame::from_normal(up, DVec3::X).unwrap_or_else(|| Frame::any(up));
-            let (s, c) = libm::sincos(angle);
-            let along = flat.f * c + flat.b * s;
-            let across = up.cross(along);
-            let middle = face.surface.point(domain.at(0.5, 0.5));
-            (Field::Along(across), across.dot(middle), Field::Along(along))
+            let middle = domain.at(0.5, 0.5);
+            let (across, along) = iso_planar::fields(mean_normal(face), angle);
+            let level = across.value(middle, face.surface.point(middle));
+            (across, level, along)
         }
         Start::Curve(ref points) => {
             let grid = offset::grid(face, strip);

@@ -5,25 +5,23 @@
 //! any is laid. The best few are laid, and the shortest is taken.
 
 mod bend;
-mod edge_to_edge;
+mod starts;
 
 use super::coarea::expected_length;
 use super::constant_scallop::{Start, offset_passes, seed};
 use super::family::{Family, Laid};
-use super::iso_planar::mean_normal;
+use super::iso_planar::{self, mean_normal};
 use super::line_field::LineField;
 use super::placing::too_many;
 use super::potential::Potential;
 use super::{Finish, Order, Planned, StrategyError};
 use crate::cutter::Tool;
 use crate::geometry::{Face, FaceGrid, Field, Table};
-use crate::math::frame::Frame;
 use crate::math::order::{rank, sort_by_key};
 use crate::monitor::{Cancelled, Stage};
 use crate::posture::Rule;
 use bend::{bent, columns};
-use edge_to_edge::{Line, Starts};
-use glam::DVec3;
+use starts::{Line, Starts};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -232,11 +230,5 @@ fn best_first<T>(ways: &mut [(f64, T)]) {
 /// Parallel planes in even steps of direction, each with a function that tells places along its lines apart.
 fn sections(face: &Face) -> Vec<(Field, Field)> {
     let up = mean_normal(face);
-    let flat = Frame::from_normal(up, DVec3::X).unwrap_or_else(|| Frame::any(up));
-    let section = |k: usize| {
-        let (s, c) = libm::sincos(PI * k as f64 / SECTIONS as f64);
-        let along = flat.f * c + flat.b * s;
-        (Field::Along(up.cross(along)), Field::Along(along))
-    };
-    (0..SECTIONS).map(section).collect()
+    (0..SECTIONS).map(|k| iso_planar::fields(up, PI * k as f64 / SECTIONS as f64)).collect()
 }

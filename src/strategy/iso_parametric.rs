@@ -21,9 +21,13 @@ pub fn iso_parametric(
     order: Order,
     stage: &Stage,
 ) -> Result<Planned, StrategyError> {
-    let fields = match along {
+    Family::of_rule(face, tool, &rule, finish, fields(along), order, stage)
+}
+
+/// The parameter whose level lines run `along` the other, and that.
+pub(super) fn fields(along: Along) -> (Field, Field) {
+    match along {
         Along::U => (Field::V, Field::U),
         Along::V => (Field::U, Field::V),
-    };
-    Family::of_rule(face, tool, &rule, finish, fields, order, stage)
+    }
 }

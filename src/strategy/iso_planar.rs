@@ -23,12 +23,16 @@ pub fn iso_planar(
     order: Order,
     stage: &Stage,
 ) -> Result<Planned, StrategyError> {
-    let up = mean_normal(face);
+    Family::of_rule(face, tool, &rule, finish, fields(mean_normal(face), angle), order, stage)
+}
+
+/// The function whose level lines are the sections turned by `angle` about `up`, and one that tells places along them apart; both are
+/// lengths, mm.
+pub(super) fn fields(up: DVec3, angle: f64) -> (Field, Field) {
     let flat = Frame::from_normal(up, DVec3::X).unwrap_or_else(|| Frame::any(up));
     let (s, c) = libm::sincos(angle);
     let along = flat.f * c + flat.b * s;
-    let fields = (Field::Along(up.cross(along)), Field::Along(along));
-    Family::of_rule(face, tool, &rule, finish, fields, order, stage)
+    (Field::Along(up.cross(along)), Field::Along(along))
 }
 
 /// The unit mean of the face's normals, weighted by area; `+z` for a face that closes on itself and has none.

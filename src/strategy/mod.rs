@@ -4,6 +4,8 @@
 mod coarea;
 mod constant_scallop;
 mod corner;
+#[cfg(feature = "flow")]
+mod edge_to_edge;
 mod family;
 mod fill;
 mod finish;
@@ -25,6 +27,8 @@ mod potential;
 #[cfg(feature = "flow")]
 mod potential_field;
 mod probe;
+#[cfg(feature = "flow")]
+mod promise;
 mod raster;
 mod run_out;
 mod setup;
@@ -48,6 +52,8 @@ pub use order::{Side, nearest_next, one_sided};
 pub use potential::Potential;
 #[cfg(feature = "flow")]
 pub use potential_field::potential_field;
+#[cfg(feature = "flow")]
+pub use promise::Promises;
 pub use raster::{Raster, RasterError, RasterOptions, raster};
 pub use shorten::shortened;
 #[cfg(feature = "study")]
