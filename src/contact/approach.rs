@@ -47,7 +47,7 @@ pub(super) fn nearest(
     from: Uv,
     step: Uv,
     asked: Asked,
-    is_known: impl Fn(DVec3) -> bool,
+    is_known: &dyn Fn(DVec3) -> bool,
 ) -> Place {
     let domain = face.domain();
     let look = |uv: Uv| {
@@ -212,11 +212,11 @@ mod tests {
                 let (least, beside) = looked_for(&face, &body);
                 let start = face.domain().clamp(Uv::new(beside.u + 0.06, beside.v + 0.06));
                 let step = Uv::new(0.02, 0.02);
-                let end = nearest(&face, &body, start, step, ASKED, |_| false);
+                let end = nearest(&face, &body, start, step, ASKED, &|_| false);
                 assert!(end.distance < least + 1e-5, "{turn}: {} {least}", end.distance);
                 // What is surely above is told so on the way, and never by mistake.
                 for above in [1e-3, -1e-3].map(|more| end.distance + more) {
-                    let told = nearest(&face, &body, start, step, Asked { above, ..ASKED }, |_| false);
+                    let told = nearest(&face, &body, start, step, Asked { above, ..ASKED }, &|_| false);
                     assert!(
                         (told.distance < above) == (end.distance < above),
                         "{turn}: {} {above}",
@@ -234,7 +234,7 @@ mod tests {
         let body = Body::new(&cutter, &ClPoint { tip: DVec3::new(23.0, 4.0, 8.0), axis: DVec3::Z });
         let (least, at) = looked_for(&face, &body);
         assert_eq!(at.u, 1.0);
-        let end = nearest(&face, &body, Uv::new(0.9, 0.5), Uv::new(0.02, 0.02), ASKED, |_| false);
+        let end = nearest(&face, &body, Uv::new(0.9, 0.5), Uv::new(0.02, 0.02), ASKED, &|_| false);
         assert!((end.distance - least).abs() < 1e-4 && end.uv.u == 1.0, "{} {least}", end.distance);
     }
 }

@@ -168,7 +168,7 @@ impl FaceObstacle {
             if let Some((_, at)) = lowest.filter(|(here, _)| *here < 0.0) {
                 let Some((du, dv)) = jet.pull_back((frame.f + frame.b) * (0.5 * radius)) else { continue };
                 let step = Uv::new(du.abs(), dv.abs());
-                if nearest(&self.face, &body, at, step, asked, |_| false).distance < allowed {
+                if nearest(&self.face, &body, at, step, asked, &|_| false).distance < allowed {
                     return true;
                 }
             }
@@ -212,7 +212,7 @@ impl FaceObstacle {
         let step = Uv::new(0.5 * (high.u - low.u), 0.5 * (high.v - low.v));
         // What slides back to the contact is the contact.
         let is_contact = |point: DVec3| point.distance_squared(contact) < self.cell * self.cell;
-        let end = nearest(&self.face, body, self.grid.uv(i, j), step, asked, is_contact);
+        let end = nearest(&self.face, body, self.grid.uv(i, j), step, asked, &is_contact);
         if is_contact(end.point) { 0.0 } else { end.distance }
     }
 }

@@ -6,9 +6,9 @@ use super::left::Moves;
 use super::places::{Patch, between};
 use super::probe::Probe;
 use crate::geometry::{IsoLine, Uv};
+use crate::math::order::{rank, sort_by_key};
 use crate::monitor::{Cancelled, Stage};
 use glam::DVec3;
-use std::collections::BTreeMap;
 
 /// Where more than this share of the limit is left, places lie closer together, so many times.
 const HIGH: f64 = 0.4;
@@ -122,12 +122,9 @@ impl Family<'_> {
     fn spots(&self, left: &[Look], near: f64) -> Vec<Vec<(Uv, DVec3)>> {
         let places: Vec<(Uv, DVec3)> =
             left.iter().map(|look| (look.uv, self.setup.face.surface.point(look.uv))).collect();
-        let cube = |p: DVec3| (p / near).floor().to_array().map(|x| x as i64);
-        // What is in no spot yet, by cubes as wide as places may be apart.
-        let mut open: BTreeMap<[i64; 3], Vec<usize>> = BTreeMap::new();
-        for (k, (_, p)) in places.iter().enumerate() {
-            open.entry(cube(*p)).or_default().push(k);
-        }
+        // Only what lies so near along x can.
+        let mut by_x: Vec<usize> = (0..places.len()).collect();
+        sort_by_key(&mut by_x, |&k| (rank(places[k].1.x), 0));
         let mut is_taken = vec![false; places.len()];
         let mut spots = Vec::new();
         for first in (0..places.len()).rev() {
@@ -138,17 +135,12 @@ impl Family<'_> {
             let mut spot = vec![places[first]];
             let mut next = 0;
             while let Some(&(_, here)) = spot.get(next) {
-                let [i, j, k] = cube(here);
-                for cube in (0..27).map(|c| [i + c % 3 - 1, j + c / 3 % 3 - 1, k + c / 9 - 1]) {
-                    let Some(inside) = open.get_mut(&cube) else { continue };
-                    inside.retain(|&other| {
-                        let is_beside = places[other].1.distance_squared(here) < near * near;
-                        if is_beside && !is_taken[other] {
-                            is_taken[other] = true;
-                            spot.push(places[other]);
-                        }
-                        !is_beside && !is_taken[other]
-                    });
+                let from = by_x.partition_point(|&k| places[k].1.x < here.x - near);
+                for &k in by_x[from..].iter().take_while(|&&k| places[k].1.x <= here.x + near) {
+                    if !is_taken[k] && places[k].1.distance_squared(here) < near * near {
+                        is_taken[k] = true;
+                        spot.push(places[k]);
+                    }
                 }
                 next += 1;
             }
