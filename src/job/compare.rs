@@ -23,7 +23,8 @@ pub struct Contender {
 }
 
 /// The jobs that differ from `spec` in their strategy alone, postures and order being as there: for a mesh parallel sections in four
-/// directions; else both parameters, parallel sections in six, constant scallop from each border, the potential field, and flow.
+/// directions; else both parameters, parallel sections in six, constant scallop from each border, the potential field with
+/// neighbours that are as efficient as they are by default and less, and flow.
 pub fn contenders(spec: &Spec, bytes: Option<&[u8]>) -> Result<Vec<Contender>, JobError> {
     let (shape, _) = spec.source.shape(bytes)?;
     let whole: Value = serde_json::from_str(&spec.to_json()).unwrap_or_default();
@@ -57,7 +58,9 @@ pub fn contenders(spec: &Spec, bytes: Option<&[u8]>) -> Result<Vec<Contender>, J
         let settings = json!({"kind": "constant_scallop", "start": start});
         all.push(with(&format!("constant-scallop-{}", start.replace('_', "-")), settings)?);
     }
-    all.push(with("potential-field", json!({"kind": "potential_field"}))?);
+    for (name, least) in [("potential-field", 90), ("potential-field-80", 80)] {
+        all.push(with(name, json!({"kind": "potential_field", "least_efficiency_percent": least}))?);
+    }
     all.push(with("flow", json!({"kind": "flow"}))?);
     Ok(all)
 }
