@@ -62,7 +62,7 @@ const LIFTED: f64 = 0.97;
 
 /// Shares of the cusps' height that are tried. On a twisted blade passes came out a sixth shorter with the second, on a toric
 /// lens twice as long.
-const HEIGHTS: [f64; 2] = [1.0, 0.7];
+const HEIGHTS: [f64; 2] = [1.0, 0.67];
 
 impl Rule {
     /// The rule as it is, or in each way of which no formula tells which makes passes shorter.
