@@ -1,9 +1,11 @@
 //! All strategies on surfaces of every kind, beside the floor that no path of their posture can stay below; every row proven from its
 //! text. R1 = 3 mm, r = 2 mm, h = 0.01 mm; the lead is 5°, or what fits into hollows that need more. The sculptured patch has the cutter
-//! of the paper of 2013, R1 = 12.5 mm, r = 3 mm, and its lead matched to the curvature. Words after `--` choose surfaces; `matched` and `widest` choose the posture.
+//! of the paper of 2013, R = 12.5 mm, r = 3 mm, in both readings of R, and its lead matched to the curvature. Words after `--` choose
+//! surfaces; `matched` and `widest` choose the posture.
 
 use serde_json::{Value, json};
 use std::num::NonZeroUsize;
+use std::time::Instant;
 use stepover::job::{self, Spec};
 use stepover::monitor::{Silent, Stage};
 
@@ -21,8 +23,28 @@ fn sculptured() -> Value {
     patch(100.0, |x, y| 70.0 * x * y + 6.0 * libm::sin(3.0 * x + 1.0) * libm::cos(3.0 * y))
 }
 
-/// Name, source and lead in degrees.
-fn surfaces() -> Vec<(&'static str, Value, i32)> {
+/// A surface with the tool for it.
+struct Case {
+    name: &'static str,
+    source: Value,
+    lead_deg: i32,
+    /// Diameter, corner radius and height, mm.
+    cutter: [i32; 3],
+    /// The posture unless another is asked for.
+    rule: &'static str,
+}
+
+impl Case {
+    fn new(name: &'static str, source: Value, lead_deg: i32) -> Self {
+        Self { name, source, lead_deg, cutter: [10, 2, 40], rule: "fixed" }
+    }
+
+    fn with_cutter(self, cutter: [i32; 3]) -> Self {
+        Self { cutter, rule: "matched", ..self }
+    }
+}
+
+fn cases() -> Vec<Case> {
     let gallery: Value = serde_json::from_str(&job::gallery_json()).unwrap_or_default();
     let of_gallery = |k: usize| gallery[k]["spec"]["source"].clone();
     let net = |up: f64| {
@@ -35,24 +57,30 @@ fn surfaces() -> Vec<(&'static str, Value, i32)> {
             ],
         })
     };
+    let file = |path: &str, side: &str, scale: f64| json!({"kind": "file", "path": format!("tests/data/{path}"), "face": 0, "side": side, "scale": [scale, scale, scale]});
+    let cylinder = |radius: i32, angle: i32, side: &str| json!({"kind": "cylinder", "radius_mm": radius, "angle_deg": angle, "length_mm": 40, "side": side});
     vec![
-        ("plane", json!({"kind": "plane", "size_mm": [40, 30]}), 5),
-        ("cap", json!({"kind": "sphere", "radius_mm": 60, "angle_deg": [40, 30]}), 5),
-        ("rod", json!({"kind": "cylinder", "radius_mm": 30, "angle_deg": 70, "length_mm": 40}), 5),
-        (
-            "trough",
-            json!({"kind": "cylinder", "radius_mm": 60, "angle_deg": 35, "length_mm": 40, "side": "back"}),
-            5,
+        Case::new("plane", json!({"kind": "plane", "size_mm": [40, 30]}), 5),
+        Case::new("cap", json!({"kind": "sphere", "radius_mm": 60, "angle_deg": [40, 30]}), 5),
+        Case::new("rod", cylinder(30, 70, "front"), 5),
+        Case::new("trough", cylinder(60, 35, "back"), 5),
+        Case::new("saddle", patch(40.0, |x, y| 24.0 * x * y), 5),
+        Case::new("lens", of_gallery(2), 5),
+        Case::new("wave", of_gallery(0), 15),
+        Case::new("hump", patch(50.0, |x, y| 7.0 * libm::exp(-14.0 * (x * x + y * y))), 5),
+        Case::new("blade", of_gallery(1), 5),
+        Case::new(
+            "ring",
+            json!({"kind": "torus", "major_mm": 30, "minor_mm": 12, "angle_deg": [40, 360]}),
+            15,
         ),
-        ("saddle", patch(40.0, |x, y| 24.0 * x * y), 5),
-        ("lens", of_gallery(2), 5),
-        ("wave", of_gallery(0), 15),
-        ("hump", patch(50.0, |x, y| 7.0 * libm::exp(-14.0 * (x * x + y * y))), 5),
-        ("blade", of_gallery(1), 5),
-        ("ring", json!({"kind": "torus", "major_mm": 30, "minor_mm": 12, "angle_deg": [40, 360]}), 15),
-        ("sculptured", sculptured(), 5),
-        ("net", net(1.0), 5),
-        ("hollow net", net(-1.0), 30),
+        Case::new("net", net(1.0), 5),
+        Case::new("hollow net", net(-1.0), 30),
+        // R = 12.5 mm as the radius of the circle of the corner's centres, and of the whole cutter.
+        Case::new("sculptured", sculptured(), 5).with_cutter([31, 3, 60]),
+        Case::new("sculptured, R in all", sculptured(), 5).with_cutter([25, 3, 60]),
+        Case::new("wing 1:20", file("tigl_D150_wing.igs", "front", 0.05), 5),
+        Case::new("bladex_lower", file("bladex_lower.iges", "back", 1.0), 5),
     ]
 }
 
@@ -62,44 +90,46 @@ fn main() {
     let rule = ["matched", "widest"].into_iter().find(|rule| asked.iter().any(|word| word == rule));
     let names: Vec<&String> = asked.iter().filter(|word| Some(word.as_str()) != rule).collect();
     println!(
-        "| surface | area mm² | floor mm | strategy | passes | cut mm | of floor | link mm | min | excess µm | gouge µm |"
+        "| surface | area mm² | floor mm | strategy | passes | cut mm | of floor | link mm | min | excess µm | gouge µm | holds | plan s |"
     );
-    println!("|---|---|---|---|---|---|---|---|---|---|---|");
-    for (name, source, lead) in surfaces() {
-        if names.is_empty() || names.iter().any(|word| name.contains(word.as_str())) {
-            compare(name, &source, lead, rule.unwrap_or("fixed"));
+    println!("|---|---|---|---|---|---|---|---|---|---|---|---|---|");
+    for case in cases() {
+        if names.is_empty() || names.iter().any(|word| case.name.contains(word.as_str())) {
+            compare(&case, rule.unwrap_or(case.rule));
         }
     }
 }
 
 #[allow(clippy::print_stdout)]
-fn compare(name: &str, source: &Value, lead: i32, rule: &str) {
-    // On the patch of the paper's size its cutter: R = 12.5 mm as the radius of the centre circle.
-    let [diameter, corner, height] = if name == "sculptured" { [31, 3, 60] } else { [10, 2, 40] };
-    let rule = if name == "sculptured" && rule == "fixed" { "matched" } else { rule };
+fn compare(case: &Case, rule: &str) {
+    let Case { name, source, lead_deg, cutter: [diameter, corner, height], .. } = case;
     let spec = json!({
         "version": 1,
         "name": name,
         "source": source,
         "cutter": {"kind": "bull_nose", "diameter_mm": diameter, "corner_radius_mm": corner, "height_mm": height},
-        "strategy": {"kind": "flow", "rule": rule, "lead_deg": lead},
+        "strategy": {"kind": "flow", "rule": rule, "lead_deg": lead_deg},
         "tolerance": {"scallop_mm": 0.01},
     });
     let spec = Spec::from_json(&spec.to_string()).unwrap();
+    let bytes = source["path"].as_str().map(|path| std::fs::read(path).unwrap());
+    let bytes = bytes.as_deref();
     let stage = Stage::whole(&Silent, NonZeroUsize::new(2).unwrap());
-    let floor = job::least_length(&spec, None, &stage).unwrap().unwrap();
-    for contender in job::contenders(&spec, None).unwrap() {
-        let plan = match job::plan(&contender.spec, None, &stage) {
+    let floor = job::least_length(&spec, bytes, &stage).unwrap().unwrap();
+    for contender in job::contenders(&spec, bytes).unwrap() {
+        let begun = Instant::now();
+        let plan = match job::plan(&contender.spec, bytes, &stage) {
             Ok(plan) => plan,
             Err(why) => {
                 println!("| {name} | | {:.1} | {} | {why} |", floor.length, contender.name);
                 continue;
             }
         };
+        let seconds = begun.elapsed().as_secs_f64();
         let report = plan.report(plan.prove(&stage).unwrap().as_ref());
         let proven = report.verified.as_ref().unwrap();
         println!(
-            "| {name} | {:.0} | {:.1} | {} | {} | {:.1} | {:.3} | {:.1} | {:.2} | {:.2} | {:.2} |",
+            "| {name} | {:.0} | {:.1} | {} | {} | {:.1} | {:.3} | {:.1} | {:.2} | {:.2} | {:.2} | {} | {seconds:.1} |",
             report.area_mm2,
             floor.length,
             contender.name,
@@ -110,6 +140,7 @@ fn compare(name: &str, source: &Value, lead: i32, rule: &str) {
             report.time_min,
             1e3 * proven.largest_excess_mm.unwrap_or(f64::NAN),
             1e3 * proven.largest_gouge_mm.unwrap_or(f64::NAN),
+            if job::holds(proven, spec.tolerance.scallop_mm) { "yes" } else { "no" },
         );
     }
 }
