@@ -16,12 +16,16 @@ fn source() -> Value {
 
 /// A trough of radius 20 mm cut round it. Leaning by 7° the holder has 1 mm to the wall, by 20° it is 1.7 mm inside.
 fn planned(posture: &Value, holder: &Value) -> Plan {
+    planned_on(source(), posture, holder)
+}
+
+fn planned_on(source: Value, posture: &Value, holder: &Value) -> Plan {
     let mut strategy = json!({"kind": "iso_parametric", "along": "u"});
     for (key, value) in posture.as_object().unwrap() {
         strategy[key] = value.clone();
     }
     let spec = json!({
-        "source": source(),
+        "source": source,
         "cutter": {"kind": "bull_nose", "diameter_mm": 6, "corner_radius_mm": 1, "height_mm": 8},
         "holder": holder,
         "strategy": strategy,
@@ -57,6 +61,24 @@ fn where_the_holder_would_meet_the_part_nothing_is_cut_and_that_is_told() {
     assert!(plan.unreached().area() > 50.0, "{}", plan.unreached().area());
     let warnings = plan.report(None).warnings;
     assert!(warnings.iter().any(|w| w.contains("more stick-out")), "{warnings:?}");
+}
+
+/// How many moves lean as they do for the holder.
+fn for_holder(plan: &Plan) -> usize {
+    plan.csv.lines().filter(|line| line.ends_with(",holder")).count()
+}
+
+#[test]
+fn what_keeps_the_lead_is_told_to_be_the_holder() {
+    // A flat trough asks for hardly any lead. Where it begins there is a wall ahead and none behind: leaning back takes a wide
+    // holder out of it.
+    let trough = json!({"kind": "cylinder", "radius_mm": 60, "angle_deg": 80, "length_mm": 12, "side": "back"});
+    let chosen = json!({"rule": "matched"});
+    let wide = json!({"shape": "cylinder", "stickout_mm": STICKOUT, "diameter_mm": 70, "height_mm": 60});
+    let free = planned_on(trough.clone(), &chosen, &json!({"shape": "none"}));
+    let held = planned_on(trough, &chosen, &wide);
+    assert_eq!(for_holder(&free), 0);
+    assert!(for_holder(&held) > 20, "{}", for_holder(&held));
 }
 
 #[test]

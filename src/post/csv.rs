@@ -49,6 +49,7 @@ fn name(bound: Bound) -> &'static str {
         Bound::Curvature => "curvature",
         Bound::Beside => "beside",
         Bound::Body => "body",
+        Bound::Holder => "holder",
         Bound::Turn => "turn",
         Bound::Misfit => "misfit",
     }

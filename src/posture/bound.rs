@@ -1,12 +1,16 @@
 //! Why leads are not less.
 
+use super::clear::{is_clear, least_clear};
 use super::lattice::Lattice;
 use super::{Ground, Limits};
 use crate::contact::matching_lead;
-use crate::toolpath::Bound;
+use crate::toolpath::{Bound, Posture};
 
 /// Leads nearer than this count as the same, radians.
 const SAME: f64 = 1e-9;
+
+/// Leads that are found by halving count as different from here on, radians.
+const APART: f64 = 0.002;
 
 /// How leads came about, a number a node, radians.
 pub(super) struct Leads<'a> {
@@ -29,7 +33,7 @@ pub(super) fn bounds(ground: &Ground, limits: &Limits, lattice: &Lattice, leads:
         .map(|i| {
             let matching = || matching_lead(ground.cutter, &lattice.nodes[i].contact?.surface, leads.yaws[i]);
             if leads.floors[i] > leads.local[i] + SAME {
-                Bound::Body
+                if is_held_off(ground, limits, lattice, leads, i) { Bound::Holder } else { Bound::Body }
             } else if leads.local[i] <= limits.least_lead + SAME {
                 Bound::Least
             } else if matching().is_some_and(|lead| leads.local[i] <= lead + SAME) {
@@ -40,7 +44,7 @@ pub(super) fn bounds(ground: &Ground, limits: &Limits, lattice: &Lattice, leads:
         })
         .collect();
     let mut bounds = vec![Bound::Turn; own.len()];
-    for kind in [Bound::Least, Bound::Curvature, Bound::Beside, Bound::Body] {
+    for kind in [Bound::Least, Bound::Curvature, Bound::Beside, Bound::Body, Bound::Holder] {
         let asked = |i: usize| if own[i] == kind { leads.floors[i] } else { f64::NEG_INFINITY };
         let around = lattice.largest_around(&(0..own.len()).map(asked).collect::<Vec<_>>());
         for (i, bound) in bounds.iter_mut().enumerate() {
@@ -53,4 +57,16 @@ pub(super) fn bounds(ground: &Ground, limits: &Limits, lattice: &Lattice, leads:
         bounds[i] = Bound::Misfit;
     }
     bounds
+}
+
+/// Whether the node `i`, whose whole cutter asks for more lead than its contact, would need less without the holder.
+fn is_held_off(ground: &Ground, limits: &Limits, lattice: &Lattice, leads: &Leads, i: usize) -> bool {
+    if ground.holder.is_none() {
+        return false;
+    }
+    let (node, bare) = (&lattice.nodes[i], Ground { holder: None, ..*ground });
+    let local = Posture { lead: leads.local[i], yaw: leads.yaws[i] };
+    is_clear(&bare, ground.cutter, node, local)
+        || least_clear(&bare, ground.cutter, node, local, limits)
+            .is_some_and(|lead| lead < leads.floors[i] - APART)
 }

@@ -88,12 +88,12 @@ impl Setup<'_> {
         Some(Station { cc, cl: cl_of(self.cutter, &cc), work })
     }
 
-    /// The `station` with so much more lead, radians, which its body then needs.
+    /// The `station` with so much more lead, radians, which its holder or its body then needs.
     pub(super) fn leaning(&self, station: &Station, more: f64) -> Station {
         let Station { mut cc, mut work, .. } = *station;
         cc.posture.lead += more;
         if more > 0.0 {
-            work.bound = Bound::Body;
+            work.bound = if self.holder_clears(&station.cl) { Bound::Body } else { Bound::Holder };
         }
         Station { cc, cl: cl_of(self.cutter, &cc), work }
     }

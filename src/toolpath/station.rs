@@ -46,6 +46,8 @@ pub enum Bound {
     Beside,
     /// With less the rear of the bottom, the side or the shank would dig in.
     Body,
+    /// With less the holder would come into the part.
+    Holder,
     /// Neighbours need so much, and the axis may turn no faster.
     Turn,
     /// No lead within the limits fits.

@@ -309,6 +309,7 @@ export default {
   'bound.curvature': 'With less lead the cutter would be flatter than the hollow and dig in at its contact.',
   'bound.beside': 'With less lead the cutter would dig in beside its contact.',
   'bound.body': 'With less lead the rear of the cutter’s bottom, its side or the shank would dig in.',
+  'bound.holder': 'With less lead the holder would come into the part.',
   'bound.turn': 'Its neighbours need so much lead, and the axis may turn no faster.',
   'bound.misfit': 'No lead within the limits fits here.',
 

@@ -289,7 +289,8 @@ export default {
   'bound.least': '这是允许的最小前倾角。再小行宽还会更大。',
   'bound.curvature': '前倾角再小，刀具就比凹面平，会在接触处切入。',
   'bound.beside': '前倾角再小，刀具会在接触点旁切入。',
-  'bound.body': '前倾角再小，刀底后部、侧面或刀柄会切入。',
+  'bound.body': '前倾角再小，刀底后部、侧面或刀杆会切入。',
+  'bound.holder': '前倾角再小，刀柄会碰到工件。',
   'bound.turn': '相邻处需要这么大的前倾角，而刀轴不能转得更快。',
   'bound.misfit': '限度内没有合适的前倾角。',
 
