@@ -72,7 +72,8 @@ fn for_holder(plan: &Plan) -> usize {
 fn what_keeps_the_lead_is_told_to_be_the_holder() {
     // A flat trough asks for hardly any lead. Where it begins there is a wall ahead and none behind: leaning back takes a wide
     // holder out of it.
-    let trough = json!({"kind": "cylinder", "radius_mm": 60, "angle_deg": 80, "length_mm": 12, "side": "back"});
+    let trough =
+        json!({"kind": "cylinder", "radius_mm": 60, "angle_deg": 80, "length_mm": 12, "side": "back"});
     let chosen = json!({"rule": "matched"});
     let wide = json!({"shape": "cylinder", "stickout_mm": STICKOUT, "diameter_mm": 70, "height_mm": 60});
     let free = planned_on(trough.clone(), &chosen, &json!({"shape": "none"}));

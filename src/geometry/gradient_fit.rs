@@ -36,6 +36,11 @@ impl Triangle {
         (0..3).map(|k| self.hats[k] * values[self.nodes[k]]).sum()
     }
 
+    /// By how much vectors at the nodes of the grid, linear in the triangle, change `along` a unit direction, per mm.
+    pub fn change(&self, vectors: &[DVec3], along: DVec3) -> DVec3 {
+        (0..3).map(|k| vectors[self.nodes[k]] * self.hats[k].dot(along)).sum()
+    }
+
     /// The part of `direction` in the triangle's plane, of length 1; `None` where there is none.
     pub fn flat(&self, direction: DVec3) -> Option<DVec3> {
         let square = self.normal.length_squared();

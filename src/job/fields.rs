@@ -190,7 +190,11 @@ pub const GROUPS: &[Group] = &[
                     number("angle_deg", "°", [-180.0, 180.0], 5.0, 0.0).when("start", &["section"]),
                 ]),
             },
-            Variant { kind: "flow", shapes: &["surface"], fields: &LEANING },
+            Variant {
+                kind: "flow",
+                shapes: &["surface"],
+                fields: &then_leaning::<1, 10>([choice("families", &["one", "several"], "one")]),
+            },
             Variant {
                 kind: "potential_field",
                 shapes: &["surface"],

@@ -41,7 +41,7 @@ pub use run::{Plan, Proof, plan, preview};
 pub use schema::schema;
 pub use shape::Shape;
 #[cfg(feature = "flow")]
-pub use spec::ObjectiveSpec;
+pub use spec::{FamiliesSpec, ObjectiveSpec};
 pub use spec::{
     AlongSpec, CutterSpec, FeedSpec, FixtureSpec, HolderSpec, LinkSpec, OrderSpec, RuleSpec, SideSpec,
     SourceSpec, Spec, StartSpec, StrategySpec, ToleranceSpec, VERSION, VerifySpec,

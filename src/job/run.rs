@@ -5,6 +5,8 @@ use super::joining::Joining;
 use super::picture::Picture;
 use super::report::{Lengths, Report, Unreachable, Verified, minutes};
 use super::shape::Shape;
+#[cfg(feature = "flow")]
+use super::spec::FamiliesSpec;
 use super::spec::{OrderSpec, Spec, StrategySpec, VERSION};
 use crate::contact::{DropMesh, FaceObstacle, Underside, is_in_mesh};
 use crate::cutter::{Holder, Tool};
@@ -12,6 +14,8 @@ use crate::geometry::{Face, TriMesh, Zone};
 use crate::monitor::Stage;
 use crate::post::{self, Program};
 use crate::posture::Rule;
+#[cfg(feature = "flow")]
+use crate::strategy::Families;
 use crate::strategy::{self, LOOK, Linked, Outline, Planned, RasterError, RasterOptions, Refuge};
 use crate::toolpath::{ClPoint, Pass, Posture, Touch};
 use crate::verify::{self, Histogram, Options, Samples, Verification};
@@ -209,8 +213,12 @@ fn on_face(
             strategy::constant_scallop(face, tool, &start, rule, finish, (*order).into(), &passing)?
         }
         #[cfg(feature = "flow")]
-        StrategySpec::Flow { order, .. } => {
-            strategy::flow(face, tool, rule, finish, (*order).into(), &passing)?
+        &StrategySpec::Flow { families, order, .. } => {
+            let families = match families {
+                FamiliesSpec::One => Families::One,
+                FamiliesSpec::Several => Families::Several,
+            };
+            strategy::flow(face, tool, families, rule, finish, order.into(), &passing)?
         }
         #[cfg(feature = "flow")]
         &StrategySpec::PotentialField { least_efficiency_percent, order, .. } => {

@@ -230,7 +230,7 @@ strategies! {
     IsoPlanar { angle_deg: f64 }
     ConstantScallop { start: StartSpec, start_percent: f64, start_points_mm: Vec<[f64; 3]>, angle_deg: f64 }
     #[cfg(feature = "flow")]
-    Flow {}
+    Flow { families: FamiliesSpec }
     #[cfg(feature = "flow")]
     PotentialField { least_efficiency_percent: f64 }
     #[cfg(feature = "flow")]
@@ -245,6 +245,16 @@ strategies! {
 pub enum ObjectiveSpec {
     Time,
     Length,
+}
+
+/// Whether passes along the widest strips are of one family, or of as many as make the cuts shortest.
+#[cfg(feature = "flow")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[expect(missing_docs, reason = "the names say it")]
+pub enum FamiliesSpec {
+    One,
+    Several,
 }
 
 /// The parameter that passes follow.

@@ -5,8 +5,9 @@
 //! line; where whole passes are spaced by their narrowest strip it is what that asks for all along them.
 
 use super::potential::Potential;
-use crate::geometry::{Domain, FaceGrid, triangles};
+use crate::geometry::{Domain, FaceGrid, Triangle, triangles};
 use crate::math::order::{rank, sort_by_key};
+use glam::DVec3;
 
 /// Bands of levels over which passes are alike.
 const BANDS: usize = 48;
@@ -37,6 +38,7 @@ pub(super) fn expected_length(
     let (low, high) =
         values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| (lo.min(*x), hi.max(*x)));
     let mut bands: Vec<Vec<Piece>> = (0..BANDS).map(|_| Vec::new()).collect();
+    let turns = Turns::new(grid, potential, values);
     for triangle in triangles(grid) {
         let rise = triangle.gradient(values);
         let (steep, width) = (rise.length(), potential.mean_width(&triangle, triangle.normal.cross(rise)));
@@ -46,10 +48,38 @@ pub(super) fn expected_length(
         let level = triangle.nodes.iter().map(|&k| values[k]).sum::<f64>() / 3.0;
         let band = ((level - low) / (high - low) * BANDS as f64) as usize;
         // Half of twice the area, and triangles cover every place twice.
-        let lines = 0.25 * triangle.normal.length() * steep;
+        let lines = 0.25 * triangle.normal.length() * steep * turns.longer(&triangle, rise);
         bands[band.min(BANDS - 1)].push(Piece { lines, rate: 1.0 / (width * steep) });
     }
     bands.iter_mut().map(|band| in_band(band)).sum::<f64>() + at_borders(grid, domain, values)
+}
+
+/// How the level lines of a function turn: the cutter's tip, off the contact by an arm along the feed, swings aside where they do.
+struct Turns {
+    /// Unit, at the nodes; zero where there is none.
+    rises: Vec<DVec3>,
+    arm: f64,
+}
+
+impl Turns {
+    fn new(grid: &FaceGrid, potential: &Potential, values: &[f64]) -> Self {
+        let mut rises = vec![DVec3::ZERO; values.len()];
+        for triangle in triangles(grid) {
+            let rise = triangle.gradient(values).normalize_or_zero() * triangle.normal.length();
+            if rise.is_finite() {
+                triangle.nodes.iter().for_each(|&k| rises[k] += rise);
+            }
+        }
+        rises.iter_mut().for_each(|rise| *rise = rise.normalize_or_zero());
+        Self { rises, arm: potential.arm() }
+    }
+
+    /// How much longer the way of the tip is than that of the contact.
+    fn longer(&self, triangle: &Triangle, rise: DVec3) -> f64 {
+        let Some(feed) = triangle.normal.cross(rise).try_normalize() else { return 1.0 };
+        let turn = triangle.change(&self.rises, feed).dot(feed);
+        (1.0 + (self.arm * turn) * (self.arm * turn)).sqrt()
+    }
 }
 
 fn in_band(band: &mut [Piece]) -> f64 {
@@ -64,24 +94,43 @@ fn in_band(band: &mut [Piece]) -> f64 {
     typical.map_or(0.0, |piece| (lines * piece.rate).min(PARTIAL * fitted))
 }
 
+/// The same at every node: its share of the passes along the level lines of that function where each lies as close as its strips need,
+/// run-outs over borders included, mm.
+pub(super) fn shares(grid: &FaceGrid, domain: &Domain, potential: &Potential, values: &[f64]) -> Vec<f64> {
+    let mut shares = vec![0.0; values.len()];
+    let turns = Turns::new(grid, potential, values);
+    for triangle in triangles(grid) {
+        let rise = triangle.gradient(values);
+        let width = potential.mean_width(&triangle, triangle.normal.cross(rise));
+        let area = 0.25 * triangle.normal.length();
+        let lines = if width > 0.0 { area / width * turns.longer(&triangle, rise) } else { 0.0 };
+        let share = (lines + at_border(grid, domain, &triangle, rise)) / 3.0;
+        triangle.nodes.iter().for_each(|&k| shares[k] += share);
+    }
+    shares
+}
+
 /// What running out over the borders costs, mm.
 fn at_borders(grid: &FaceGrid, domain: &Domain, values: &[f64]) -> f64 {
+    triangles(grid).map(|triangle| at_border(grid, domain, &triangle, triangle.gradient(values))).sum()
+}
+
+/// What running out over those sides of a triangle that lie on a border costs, mm, for lines square to `rise`.
+fn at_border(grid: &FaceGrid, domain: &Domain, triangle: &Triangle, rise: DVec3) -> f64 {
     let (nu, nv) = grid.size();
+    let rise = rise.normalize_or_zero();
     let mut cost = 0.0;
-    for triangle in triangles(grid) {
-        let rise = triangle.gradient(values).normalize_or_zero();
-        for k in 0..3 {
-            let [a, b] = [triangle.nodes[k], triangle.nodes[(k + 1) % 3]];
-            let along = |a: usize, b: usize, count: usize| a == b && (a == 0 || a + 1 == count);
-            let is_border = (!domain.u.periodic && along(a % nu, b % nu, nu))
-                || (!domain.v.periodic && along(a / nu, b / nu, nv));
-            if is_border {
-                let side = grid.points()[b] - grid.points()[a];
-                let across = rise.dot(side).abs();
-                let beside = (side.length_squared() - across * across).max(0.0).sqrt();
-                // Of the four triangles of a cell two have this side.
-                cost += 0.5 * (BORDER[0] * across + BORDER[1] * beside);
-            }
+    for k in 0..3 {
+        let [a, b] = [triangle.nodes[k], triangle.nodes[(k + 1) % 3]];
+        let along = |a: usize, b: usize, count: usize| a == b && (a == 0 || a + 1 == count);
+        let is_border = (!domain.u.periodic && along(a % nu, b % nu, nu))
+            || (!domain.v.periodic && along(a / nu, b / nu, nv));
+        if is_border {
+            let side = grid.points()[b] - grid.points()[a];
+            let across = rise.dot(side).abs();
+            let beside = (side.length_squared() - across * across).max(0.0).sqrt();
+            // Of the four triangles of a cell two have this side.
+            cost += 0.5 * (BORDER[0] * across + BORDER[1] * beside);
         }
     }
     cost

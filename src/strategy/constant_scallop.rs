@@ -150,7 +150,7 @@ pub(super) fn offset_lines<'a>(
         March::new(family, &offset, values).laid(is_border, goes_on, &stage.part(PLACE, 0.69, 0.93))?;
     let tracks = fill::tracks(&family, placed, &stage.part(FILL, 0.93, 1.0))?;
     let crests = crest::places(&family, &offset);
-    Ok((Part { family, tracks, own }, crests))
+    Ok((Part::between(own, family, tracks), crests))
 }
 
 /// At the nodes of `grid`, how far places are from the curve through `points` (mm), with another sign on either side.

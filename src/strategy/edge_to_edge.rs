@@ -23,7 +23,7 @@ pub(super) fn expected_from(
 
 /// The function that is 0 on the line of `values` at `level` and rises by about one over every strip; `None` where that line is a
 /// point.
-fn offset(
+pub(super) fn offset(
     (grid, domain): (&FaceGrid, &Domain),
     potential: &Potential,
     values: &[f64],

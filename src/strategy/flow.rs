@@ -1,19 +1,22 @@
 //! Passes that follow the widest strips: along the level lines of whichever function of many makes them shortest.
 //!
 //! Lines of one parameter, parallel sections, functions bent towards the directions of the widest strips, and passes offset edge to
-//! edge from lines of those and from lines along the widest strips are compared by how long they would be ([`super::coarea`]) before
-//! any is laid. The best few are laid, and the shortest is taken.
+//! edge from lines of those and from lines along the widest strips, one family all over the face or several that divide it, are compared
+//! by how long they would be ([`super::coarea`]) before any is laid. The best few are laid, and the shortest is taken.
 
 mod bend;
+mod divide;
 mod starts;
 
 use super::coarea::expected_length;
-use super::constant_scallop::{Start, offset_passes, seed};
+use super::constant_scallop::{self, offset_lines, offset_passes, seed};
 use super::family::{Family, Laid};
+use super::follow::{Part, followed};
 use super::iso_planar::{self, mean_normal};
 use super::line_field::LineField;
 use super::placing::too_many;
 use super::potential::Potential;
+use super::region::Region;
 use super::{Finish, Order, Planned, StrategyError};
 use crate::cutter::Tool;
 use crate::geometry::{Face, FaceGrid, Field, Table};
@@ -21,7 +24,7 @@ use crate::math::order::{rank, sort_by_key};
 use crate::monitor::{Cancelled, Stage};
 use crate::posture::Rule;
 use bend::{bent, columns};
-use starts::{Line, Starts};
+use starts::{Line, Start, Starts};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -37,6 +40,8 @@ const WORSE: [f64; 2] = [1.05, 1.3];
 const MOST: usize = 4;
 /// Where postures are chosen, passes offset from a line must promise to be this share of any others.
 const BENDS: f64 = 0.9;
+/// Places a side of a cell that are looked at where regions meet.
+const CLOSE: usize = 32;
 /// Passes are offset from one line of those functions, and from so many along the widest strips: the best, and the best of what
 /// should come out longer than the last by this share, since most are neighbours of the best.
 const STREAMLINES: usize = 2;
@@ -56,6 +61,8 @@ enum Way {
     Levels(Field, Field),
     /// Offset from a line.
     From(Line),
+    /// Offset from several lines, each within its region.
+    Divided(Vec<(Line, Region)>),
 }
 
 /// Passes that might be laid, and whether only where all others leave something.
@@ -70,10 +77,23 @@ impl Proposal {
     }
 }
 
+/// How many families passes may be of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Families {
+    /// One: links are few.
+    #[default]
+    One,
+    /// As many as make the cuts shortest: passes end where families meet, and links are many.
+    Several,
+}
+
 /// Passes of `face` along the widest strips, the axis leaning by `rule`.
+///
+/// Several families are looked for at fixed postures, on faces that do not close on themselves, and only where they should save 1 %.
 pub fn flow(
     face: &Face,
     tool: &Tool,
+    families: Families,
     rule: Rule,
     finish: Finish,
     order: Order,
@@ -84,7 +104,8 @@ pub fn flow(
     let flat = Potential::flat(cutter, &rule, &finish);
     let grid = Potential::grid(face, flat);
     let measured = |rule, stage: &Stage| Potential::new((face, &grid), cutter, &rule, &finish, stage);
-    let mut ways = ways((face, &grid), &measured(rule, &looking(0.0, 0.04))?, &rule, &looking(0.04, 0.07))?;
+    let mut ways =
+        ways((face, &grid), &measured(rule, &looking(0.0, 0.04))?, (&rule, families), &looking(0.04, 0.07))?;
     if let Rule::Widest(limits) = rule {
         // Yaws that make a strip wide at a place may not be those of its neighbours: directions without any are tried too.
         let straight = proposals(face, &grid, &measured(Rule::Matched(limits), &looking(0.07, 0.1))?);
@@ -130,8 +151,8 @@ impl Planner<'_> {
             Way::Levels(field, column) => {
                 return Family::improved(part, &self.rule, finish, (field, column), order, best, stage);
             }
-            Way::From(Line::Level { fields, level }) => (fields.0, level, fields.1),
-            Way::From(Line::Through(points)) => seed(self.face, &Start::Curve(points), self.flat)?,
+            Way::From(line) => self.seed(line)?,
+            Way::Divided(pieces) => return self.divided(pieces, best, stage),
         };
         // By which version of the rule passes are shortest hardly depends on the passes.
         let rules = best.map_or_else(|| self.rule.versions(), |best| vec![best.rule]);
@@ -147,37 +168,88 @@ impl Planner<'_> {
         }
         Ok(found)
     }
+
+    /// A function and level whose line it is, and a function that tells places along it apart.
+    fn seed(&self, line: Line) -> Result<(Field, f64, Field), StrategyError> {
+        Ok(match line {
+            Line::Level { fields, level } => (fields.0, level, fields.1),
+            Line::Through(points) => seed(self.face, &constant_scallop::Start::Curve(points), self.flat)?,
+        })
+    }
+
+    /// The passes offset from several lines, each within its region, where they are better than `best`.
+    fn divided(
+        &self,
+        pieces: Vec<(Line, Region)>,
+        best: Option<&Laid>,
+        stage: &Stage,
+    ) -> Result<Option<Laid>, StrategyError> {
+        let (mut parts, mut places) = (Vec::new(), Vec::new());
+        let count = pieces.len() as f64;
+        for (k, (line, region)) in pieces.into_iter().enumerate() {
+            let at = |k: usize| 0.6 * k as f64 / count;
+            let part = stage.part("Spacing passes", at(k), at(k + 1));
+            let (whole, seed) = ((self.face, self.tool), self.seed(line)?);
+            let lines = offset_lines(whole, &seed, &self.rule, self.finish, self.order, &|_, _| true, &part)?;
+            let mut part = Part { within: Some(region.clone()), ..lines.0 };
+            part.clip(&|uv| region.has(uv));
+            parts.push(part);
+            places.extend(lines.1.into_iter().filter(|uv| region.has(*uv)));
+            places.extend(region.meeting(CLOSE));
+        }
+        let (planned, is_whole) = followed(&parts, &places, &stage.part("Following the surface", 0.6, 1.0))?;
+        let laid = Laid { planned, is_whole, rule: self.rule };
+        Ok(Some(laid).filter(|laid| best.is_none_or(|best| laid.is_better(best))))
+    }
 }
 
 /// What might be laid, what should come out shortest first.
 fn ways(
     (face, grid): (&Face, &FaceGrid),
     potential: &Potential,
-    rule: &Rule,
+    (rule, families): (&Rule, Families),
     stage: &Stage,
 ) -> Result<Vec<Rated>, Cancelled> {
     let proposals = proposals(face, grid, potential);
     let starts = Starts { face, grid, potential };
     let mut streamlines = starts.streamlines(stage)?;
-    best_first(&mut streamlines);
-    streamlines.dedup_by(|next, last| next.0 < OTHER * last.0);
-    let lines = |lines: Vec<(f64, Line)>, most| {
-        lines.into_iter().take(most).map(|(expected, line)| (expected, Way::From(line)))
+    let shortest_first = |starts: &mut [Start]| sort_by_key(starts, |start| (rank(start.expected), 0));
+    let lines = |lines: Vec<Start>, most| {
+        lines.into_iter().take(most).map(|start| (start.expected, Way::From(start.line)))
     };
     if let Rule::Fixed(_) = rule {
         let mut levels = starts.levels(&proposals);
-        best_first(&mut levels);
+        let several = families == Families::Several;
+        let divided = several.then(|| divided(face, grid, levels.iter().chain(&streamlines).collect()));
+        shortest_first(&mut levels);
+        shortest_first(&mut streamlines);
+        streamlines.dedup_by(|next, last| next.expected < OTHER * last.expected);
         let mut ways: Vec<(f64, Way)> = lines(levels, 1).chain(lines(streamlines, STREAMLINES)).collect();
-        ways.extend(proposals.into_iter().map(Proposal::way));
+        ways.extend(proposals.into_iter().map(Proposal::way).chain(divided.flatten()));
         return Ok(rated(ways, WORSE[0]));
     }
+    shortest_first(&mut streamlines);
     let mut ways: Vec<(f64, Way)> = proposals.into_iter().map(Proposal::way).collect();
     // What is offset from a line bends more, and postures that are chosen keep up with that less.
     let shortest = ways.iter().map(|way| way.0).fold(f64::INFINITY, f64::min);
-    streamlines.retain(|(expected, _)| *expected < BENDS * shortest);
+    streamlines.retain(|start| start.expected < BENDS * shortest);
     ways.extend(lines(streamlines, 1));
     let worse = if matches!(rule, Rule::Widest(_)) { f64::INFINITY } else { WORSE[1] };
     Ok(rated(ways, worse))
+}
+
+/// Several families that divide the face, where that saves enough, and how long their passes should be, mm.
+fn divided(face: &Face, grid: &FaceGrid, starts: Vec<&Start>) -> Option<(f64, Way)> {
+    let domain = face.domain();
+    // Over a seam neighbours are not looked for.
+    if domain.u.periodic || domain.v.periodic {
+        return None;
+    }
+    let shares: Vec<&[f64]> = starts.iter().map(|start| start.shares.as_slice()).collect();
+    let division = divide::divided(grid, &shares)?;
+    let lines = division.families.iter().map(|&k| starts[k].line.clone());
+    let regions = Region::all(grid.clone(), division.labels, division.families.len());
+    Some((division.expected, Way::Divided(lines.zip(regions).collect())))
 }
 
 /// `ways` with how long they should be, mm: the shortest first, and spare those that should be so much longer.

@@ -23,6 +23,9 @@ pub(super) struct Part<'a> {
     pub(super) tracks: Vec<Candidate>,
     /// Levels: what lies between them is this part's, unless one before it has it.
     pub(super) own: [f64; 2],
+    /// Only that of it which lies there.
+    #[cfg(feature = "flow")]
+    pub(super) within: Option<super::region::Region>,
 }
 
 /// Parts of a face. Only the strategies that the page's second module brings have more than one: the first need not carry what keeps
@@ -35,14 +38,46 @@ type Parts<'a> = [Part<'a>; 1];
 impl<'a> Part<'a> {
     /// All of a face.
     pub(super) fn whole(family: Family<'a>, tracks: Vec<Candidate>) -> Self {
-        Self { family, tracks, own: [f64::NEG_INFINITY, f64::INFINITY] }
+        Self::between([f64::NEG_INFINITY, f64::INFINITY], family, tracks)
+    }
+
+    /// What lies between two levels.
+    pub(super) fn between(own: [f64; 2], family: Family<'a>, tracks: Vec<Candidate>) -> Self {
+        Self {
+            family,
+            tracks,
+            own,
+            #[cfg(feature = "flow")]
+            within: None,
+        }
     }
 
     /// Whether what is at `uv` lies between its levels.
     pub(super) fn has(&self, uv: Uv) -> bool {
+        #[cfg(feature = "flow")]
+        if self.within.as_ref().is_some_and(|region| !region.has(uv)) {
+            return false;
+        }
         let setup = &self.family.setup;
         let level = setup.field.value(uv, setup.face.surface.point(uv));
         (self.own[0]..=self.own[1]).contains(&level)
+    }
+
+    /// Leaves of its lines the pieces where something `is_open`, with a node to either side.
+    #[cfg(feature = "flow")]
+    pub(super) fn clip(&mut self, is_open: &dyn Fn(Uv) -> bool) {
+        for track in &mut self.tracks {
+            let (mut lines, mut probes) = (Vec::new(), Vec::new());
+            for (line, own) in track.lines.iter().zip(&track.probes) {
+                let open: Vec<bool> = line.nodes.iter().map(|uv| is_open(*uv)).collect();
+                for (place, piece) in line.pieces(&open) {
+                    lines.push(piece);
+                    probes.push(own[place].to_vec());
+                }
+            }
+            (track.lines, track.probes) = (lines, probes);
+        }
+        self.tracks.retain(|track| !track.lines.is_empty());
     }
 }
 
@@ -87,6 +122,8 @@ pub(super) fn followed(
         _ => parts.iter().position(|part| part.has(look.uv)).unwrap_or(0),
     };
     let (mut is_whole, mut is_trimmed) = (false, false);
+    // Gleanings since passes were last cut back.
+    let mut gleanings = 0;
     // Passes that are added leave no more than there was: until some are cut back, only there can there be more.
     let mut last: Option<Vec<Look>> = None;
     for round in 0..=GLEANINGS {
@@ -125,13 +162,15 @@ pub(super) fn followed(
         if is_whole {
             passes = trim::trimmed(first, &passes, &edges, &part("Cutting passes back", 0.4, 1.0))?;
             is_trimmed = true;
+            gleanings = 0;
             continue;
         }
         for (k, (Part { family, .. }, [open, _])) in parts.iter().zip(&left).enumerate() {
-            let short = family.short_lines(open, round, &stage.quiet())?;
+            let short = family.short_lines(open, gleanings, &stage.quiet())?;
             passes.extend(family.walk(&short, &own_share(0.4, 1.0, k))?);
             ways.extend(short.iter().map(|track| (k, track.level)));
         }
+        gleanings += 1;
         last = Some(left.into_iter().flatten().flatten().collect());
     }
     let mut by_level: Vec<_> = ways.into_iter().zip(passes).collect();

@@ -102,15 +102,15 @@ impl Family<'_> {
         Ok([of(false), of(true)])
     }
 
-    /// Short lines, with what the cutter does on them, through the places `left` after so many rounds: what is still there then
+    /// Short lines, with what the cutter does on them, through the places `left` after so many of them: what is still there then
     /// was passed too far off, and lines go nearer.
     pub(super) fn short_lines(
         &self,
         left: &[Look],
-        round: usize,
+        gleanings: usize,
         stage: &Stage,
     ) -> Result<Vec<Candidate>, Cancelled> {
-        let near = NEARER.powi(round as i32) * self.setup.strip;
+        let near = NEARER.powi(gleanings as i32) * self.setup.strip;
         let mut found = Vec::new();
         for spot in self.spots(left, TOGETHER * near) {
             self.add_lines(&spot, PASSED * near, &mut found, stage)?;
@@ -188,9 +188,14 @@ impl Family<'_> {
 
     /// How many of the places `here` the lines pass so near (mm).
     fn passed(&self, lines: &[IsoLine], here: &[(Uv, DVec3)], near: f64) -> usize {
-        let nodes: Vec<DVec3> =
-            lines.iter().flat_map(|l| &l.nodes).map(|&uv| self.setup.face.surface.point(uv)).collect();
-        let is_passed = |p: DVec3| nodes.iter().any(|n| n.distance_squared(p) < near * near);
+        let lines: Vec<Vec<DVec3>> = lines
+            .iter()
+            .map(|line| line.nodes.iter().map(|&uv| self.setup.face.surface.point(uv)).collect())
+            .collect();
+        let is_passed = |p: DVec3| {
+            let mut ways = lines.iter().flat_map(|line| line.windows(2));
+            ways.any(|ends| to_way(ends[0], ends[1], p) < near)
+        };
         here.iter().filter(|(_, p)| is_passed(*p)).count()
     }
 
@@ -215,4 +220,11 @@ impl Family<'_> {
         }
         pieces
     }
+}
+
+/// The distance of `p` from the straight way between two points.
+fn to_way(a: DVec3, b: DVec3, p: DVec3) -> f64 {
+    let way = b - a;
+    let along = (p - a).dot(way) / way.length_squared();
+    p.distance(a + way * if along > 0.0 { along.min(1.0) } else { 0.0 })
 }

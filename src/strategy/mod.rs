@@ -30,6 +30,8 @@ mod probe;
 #[cfg(feature = "flow")]
 mod promise;
 mod raster;
+#[cfg(feature = "flow")]
+mod region;
 mod run_out;
 mod setup;
 mod shorten;
@@ -43,7 +45,7 @@ mod walk;
 pub use constant_scallop::{Start, StartError, constant_scallop};
 pub use finish::{Finish, Order, Planned, StrategyError};
 #[cfg(feature = "flow")]
-pub use flow::flow;
+pub use flow::{Families, flow};
 pub use iso_parametric::iso_parametric;
 pub use iso_planar::iso_planar;
 pub use link::{IsClear, LOOK, Linked, Linking, Outline, Refuge, link, link_time};

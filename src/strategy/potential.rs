@@ -32,6 +32,7 @@ const CELLS: [usize; 2] = [24, 56];
 #[derive(Debug)]
 pub struct Potential {
     nodes: Vec<Option<Node>>,
+    arm: f64,
 }
 
 #[derive(Debug)]
@@ -63,7 +64,22 @@ impl Potential {
             };
             Some(Node { frame, widths: std::array::from_fn(width) })
         };
-        Ok(Self { nodes: stage.map(count, node)? })
+        let (s, c) = libm::sincos(Self::typical(rule).lead);
+        let arm = cutter.center_radius * c + cutter.corner_radius * s;
+        Ok(Self { nodes: stage.map(count, node)?, arm })
+    }
+
+    /// About how far the cutter's tip is from its contact along the feed, mm.
+    pub(super) fn arm(&self) -> f64 {
+        self.arm
+    }
+
+    /// A posture for what is alike for all that `rule` allows.
+    fn typical(rule: &Rule) -> Posture {
+        match *rule {
+            Rule::Fixed(posture) => posture,
+            Rule::Matched(_) | Rule::Widest(_) | Rule::TwoContacts(_) => Posture { lead: CHOSEN, yaw: 0.0 },
+        }
     }
 
     /// A grid of `face` fine enough to compare ways over it, for strips that are `flat` mm wide on flat ground.
@@ -73,11 +89,7 @@ impl Potential {
 
     /// About how wide strips are on flat ground, mm.
     pub(super) fn flat(cutter: &Cutter, rule: &Rule, finish: &Finish) -> f64 {
-        let posture = match *rule {
-            Rule::Fixed(posture) => posture,
-            Rule::Matched(_) | Rule::Widest(_) | Rule::TwoContacts(_) => Posture { lead: CHOSEN, yaw: 0.0 },
-        };
-        second_order_strip_width(cutter, posture, &Curvature::default(), finish.scallop)
+        second_order_strip_width(cutter, Self::typical(rule), &Curvature::default(), finish.scallop)
     }
 
     /// The width at a node for a feed along `feed` or against it, mm; `None` at a pole.

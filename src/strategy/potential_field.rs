@@ -118,10 +118,7 @@ impl<'a> Planner<'a> {
             let (mut part, crests) =
                 offset_lines(whole, &seed, rule, self.finish, self.order, &goes_on, stage)?;
             if !parts.is_empty() {
-                part.tracks.retain_mut(|track| {
-                    clip(track, &is_done);
-                    !track.lines.is_empty()
-                });
+                part.clip(&|uv| !is_done(uv));
             }
             if !part.tracks.is_empty() {
                 return Ok(Some((part, crests)));
@@ -148,17 +145,4 @@ impl<'a> Planner<'a> {
 /// Whether one of `parts` has what is at `uv`.
 fn is_done(parts: &[Part], uv: Uv) -> bool {
     parts.iter().any(|part| part.has(uv))
-}
-
-/// Leaves of the lines of `track` the pieces over fresh ground, with a node to either side.
-fn clip(track: &mut Candidate, is_done: &dyn Fn(Uv) -> bool) {
-    let (mut lines, mut probes) = (Vec::new(), Vec::new());
-    for (line, own) in track.lines.iter().zip(&track.probes) {
-        let fresh: Vec<bool> = line.nodes.iter().map(|uv| !is_done(*uv)).collect();
-        for (place, piece) in line.pieces(&fresh) {
-            lines.push(piece);
-            probes.push(own[place].to_vec());
-        }
-    }
-    (track.lines, track.probes) = (lines, probes);
 }

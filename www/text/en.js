@@ -86,6 +86,7 @@ export default {
   'field.strategy.start_points_mm': 'Points of the curve, mm',
   'field.strategy.angle_deg': 'Angle of the planes',
   'field.strategy.least_efficiency_percent': 'Least efficiency',
+  'field.strategy.families': 'Families of passes',
   'field.strategy.rule': 'Tilt',
   'field.strategy.lead_deg': 'Lead',
   'field.strategy.yaw_deg': 'Yaw',
@@ -110,6 +111,8 @@ export default {
   'field.verify.spacing_mm': 'Sample spacing',
 
   'help.strategy.start': 'The first pass runs along it, or half a strip inside a border.',
+  'help.strategy.families':
+    'Several divide the surface where strips are widest in different directions: the shortest cuts, but more links. At fixed leads.',
   'help.strategy.start_points_mm':
     'One x, y, z a line. Its ends go on to the borders; with the first point again at the end it is closed.',
   'help.strategy.rule':
@@ -169,6 +172,8 @@ export default {
   'choice.section': 'Plane section',
   'choice.curve': 'Curve through points',
   'choice.zigzag': 'To and fro',
+  'choice.one': 'One',
+  'choice.several': 'Several',
   'choice.zig': 'One way',
   'choice.climb': 'One way, climb',
   'choice.conventional': 'One way, conventional',

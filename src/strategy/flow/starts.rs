@@ -3,8 +3,9 @@
 use super::Proposal;
 use crate::geometry::{Face, FaceGrid, Field};
 use crate::monitor::{Cancelled, Stage};
+use crate::strategy::coarea::{expected_length, shares};
 use crate::strategy::constant_scallop::away_from;
-use crate::strategy::edge_to_edge::expected_from;
+use crate::strategy::edge_to_edge::offset;
 use crate::strategy::potential::Potential;
 use crate::strategy::streamlines::Streamlines;
 use glam::DVec3;
@@ -21,6 +22,15 @@ pub(super) enum Line {
     Through(Vec<DVec3>),
 }
 
+/// A line to start from, and what passes offset from it should be like.
+pub(super) struct Start {
+    pub(super) line: Line,
+    /// How long they should be, mm.
+    pub(super) expected: f64,
+    /// How much of that falls to each node of the grid, where they lie as close as their strips need.
+    pub(super) shares: Vec<f64>,
+}
+
 /// A face on which lines to start from are looked for.
 pub(super) struct Starts<'a> {
     pub(super) face: &'a Face,
@@ -29,9 +39,8 @@ pub(super) struct Starts<'a> {
 }
 
 impl Starts<'_> {
-    /// Level lines of `proposals`, each after how long the passes offset from it should be, mm; none of a function that goes round the
-    /// face, whose lines do not divide it.
-    pub(super) fn levels(&self, proposals: &[Proposal]) -> Vec<(f64, Line)> {
+    /// Level lines of `proposals`; none of a function that goes round the face, whose lines do not divide it.
+    pub(super) fn levels(&self, proposals: &[Proposal]) -> Vec<Start> {
         let mut found = Vec::new();
         let domain = self.face.domain();
         let goes_round = |field: &Field| match field {
@@ -43,16 +52,14 @@ impl Starts<'_> {
             let low = values.iter().copied().fold(f64::INFINITY, f64::min);
             let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
             for level in STARTS.map(|share| low + (high - low) * share) {
-                if let Some(expected) = self.expected(values, level) {
-                    found.push((expected, Line::Level { fields: fields.clone(), level }));
-                }
+                found.extend(self.start(Line::Level { fields: fields.clone(), level }, values, level));
             }
         }
         found
     }
 
-    /// Lines along the widest strips, each after how long the passes offset from it should be, mm.
-    pub(super) fn streamlines(&self, stage: &Stage) -> Result<Vec<(f64, Line)>, Cancelled> {
+    /// Lines along the widest strips.
+    pub(super) fn streamlines(&self, stage: &Stage) -> Result<Vec<Start>, Cancelled> {
         let mut found = Vec::new();
         let lines = Streamlines::new(self.face, self.grid, self.potential).initial(&|_| false);
         let count = lines.len() as f64;
@@ -60,16 +67,18 @@ impl Starts<'_> {
             stage.at(k as f64 / count)?;
             let points: Vec<DVec3> = line.points.iter().map(|point| point.p).collect();
             // Lines that wind, or run into themselves, divide nothing.
-            let away = away_from(self.face, self.grid, &points);
-            if let Some(expected) = away.ok().and_then(|away| self.expected(&away, 0.0)) {
-                found.push((expected, Line::Through(points)));
+            if let Ok(away) = away_from(self.face, self.grid, &points) {
+                found.extend(self.start(Line::Through(points), &away, 0.0));
             }
         }
         Ok(found)
     }
 
-    /// How long passes offset from the line of `values` at `level` should be, mm; `None` where it is a point.
-    fn expected(&self, values: &[f64], level: f64) -> Option<f64> {
-        expected_from(self.grid, &self.face.domain(), self.potential, values, level)
+    /// From the `line` of `values` at `level`; `None` where it is a point.
+    fn start(&self, line: Line, values: &[f64], level: f64) -> Option<Start> {
+        let (grid, domain, potential) = (self.grid, self.face.domain(), self.potential);
+        let offset = offset((grid, &domain), potential, values, level)?;
+        let expected = expected_length(grid, &domain, potential, &offset);
+        Some(Start { line, expected, shares: shares(grid, &domain, potential, &offset) })
     }
 }

@@ -1,0 +1,104 @@
+//! A face divided between families, each where its strips are widest.
+
+use crate::geometry::FaceGrid;
+
+/// Families at most.
+const FAMILIES: usize = 6;
+/// Another family must save this share.
+const SAVES: f64 = 0.01;
+/// What a millimetre of the line costs along which families meet, mm: passes of both end there, each a little beyond.
+const MEETING: f64 = 0.5;
+/// Over how many cells to either side shares are evened out before the smaller is taken: the finer the longer the lines between.
+const EVEN: [usize; 4] = [1, 2, 4, 8];
+
+/// Which of some functions each node of a grid goes by, and how long the passes should be, mm.
+#[derive(Debug, Clone)]
+pub(super) struct Division {
+    pub(super) expected: f64,
+    /// The numbers of the functions.
+    pub(super) families: Vec<usize>,
+    /// For every node which of these it goes by.
+    pub(super) labels: Vec<usize>,
+}
+
+/// The division of the nodes of `grid` between functions with these shares of the passes at them, [`crate::strategy::coarea::shares`];
+/// `None` where one function alone is as good.
+pub(super) fn divided(grid: &FaceGrid, shares: &[&[f64]]) -> Option<Division> {
+    let total = |k: usize| shares[k].iter().sum::<f64>();
+    let first = (0..shares.len()).min_by(|a, b| total(*a).total_cmp(&total(*b)))?;
+    let even: Vec<Vec<Vec<f64>>> =
+        EVEN.iter().map(|&by| shares.iter().map(|own| evened(grid, own, by)).collect()).collect();
+    let count = grid.points().len();
+    let mut best = Division { expected: total(first), families: vec![first], labels: vec![0; count] };
+    while best.families.len() < FAMILIES {
+        let mut next: Option<Division> = None;
+        for k in (0..shares.len()).filter(|k| !best.families.contains(k)) {
+            let families: Vec<usize> = best.families.iter().copied().chain([k]).collect();
+            for even in &even {
+                let least = |node: usize| {
+                    (0..families.len())
+                        .min_by(|a, b| even[families[*a]][node].total_cmp(&even[families[*b]][node]))
+                        .unwrap_or(0)
+                };
+                let labels: Vec<usize> = (0..count).map(least).collect();
+                let expected = labels
+                    .iter()
+                    .enumerate()
+                    .map(|(node, &label)| shares[families[label]][node])
+                    .sum::<f64>()
+                    + MEETING * meeting(grid, &labels);
+                if next.as_ref().is_none_or(|next| expected < next.expected) {
+                    next = Some(Division { expected, families: families.clone(), labels });
+                }
+            }
+        }
+        match next {
+            Some(next) if next.expected < (1.0 - SAVES) * best.expected => best = next,
+            _ => break,
+        }
+    }
+    (best.families.len() > 1).then_some(best)
+}
+
+/// How long the lines are between nodes with different labels, mm.
+fn meeting(grid: &FaceGrid, labels: &[usize]) -> f64 {
+    // Lines aslant to the grid are counted as stairs: on the mean by 4/π.
+    const STAIRS: f64 = std::f64::consts::FRAC_PI_4;
+    let (nu, nv) = grid.size();
+    let at = |i: usize, j: usize| grid.points()[j * nu + i];
+    let mut length = 0.0;
+    for j in 0..nv {
+        for i in 0..nu {
+            let label = labels[j * nu + i];
+            if i + 1 < nu && labels[j * nu + i + 1] != label {
+                let (low, high) = (j.saturating_sub(1), (j + 1).min(nv - 1));
+                length += at(i, low).distance(at(i, high)) / (high - low) as f64;
+            }
+            if j + 1 < nv && labels[(j + 1) * nu + i] != label {
+                let (low, high) = (i.saturating_sub(1), (i + 1).min(nu - 1));
+                length += at(low, j).distance(at(high, j)) / (high - low) as f64;
+            }
+        }
+    }
+    STAIRS * length
+}
+
+/// The means of `values` over the nodes up to `by` away along both parameters, three times over.
+fn evened(grid: &FaceGrid, values: &[f64], by: usize) -> Vec<f64> {
+    let (nu, nv) = grid.size();
+    let mut values = values.to_vec();
+    for _ in 0..3 {
+        for (count, stride, lines, step) in [(nu, 1, nv, nu), (nv, nu, nu, 1)] {
+            let before = values.clone();
+            for line in 0..lines {
+                let at = |k: usize| line * step + k * stride;
+                for k in 0..count {
+                    let window = k.saturating_sub(by)..=(k + by).min(count - 1);
+                    let size = window.clone().count() as f64;
+                    values[at(k)] = window.map(|n| before[at(n)]).sum::<f64>() / size;
+                }
+            }
+        }
+    }
+    values
+}

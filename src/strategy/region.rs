@@ -1,0 +1,50 @@
+//! A piece of a face, told node by node of a grid.
+
+use crate::geometry::{FaceGrid, Uv};
+use std::sync::Arc;
+
+/// The places nearest to the nodes with one label.
+#[derive(Debug, Clone)]
+pub(super) struct Region {
+    grid: Arc<FaceGrid>,
+    /// For every node of the grid.
+    labels: Arc<Vec<usize>>,
+    label: usize,
+}
+
+impl Region {
+    /// The pieces that `labels` divide a face into, one for each up to `count`.
+    pub(super) fn all(grid: FaceGrid, labels: Vec<usize>, count: usize) -> Vec<Self> {
+        let (grid, labels) = (Arc::new(grid), Arc::new(labels));
+        (0..count).map(|label| Self { grid: grid.clone(), labels: labels.clone(), label }).collect()
+    }
+
+    /// Places along where it meets the others, so many to a side of each cell there.
+    pub(super) fn meeting(&self, parts: usize) -> Vec<Uv> {
+        let (nu, nv) = self.grid.size();
+        let is_own = |i: usize, j: usize| self.labels[j * nu + i] == self.label;
+        let is_mixed = |&(i, j): &(usize, usize)| {
+            let own = [is_own(i, j), is_own(i + 1, j), is_own(i, j + 1), is_own(i + 1, j + 1)];
+            own.contains(&true) && own.contains(&false)
+        };
+        let cells = (0..nv - 1).flat_map(|j| (0..nu - 1).map(move |i| (i, j))).filter(is_mixed);
+        let inside = |(i, j): (usize, usize)| {
+            let (low, high) = (self.grid.uv(i, j), self.grid.uv(i + 1, j + 1));
+            let share = move |k: usize| (k as f64 + 0.5) / parts as f64;
+            (0..parts * parts).map(move |k| {
+                let (s, t) = (share(k % parts), share(k / parts));
+                Uv::new(low.u + (high.u - low.u) * s, low.v + (high.v - low.v) * t)
+            })
+        };
+        cells.flat_map(inside).collect()
+    }
+
+    /// Whether the place at `uv` is one of them.
+    pub(super) fn has(&self, uv: Uv) -> bool {
+        let (i, j) = self.grid.cell_at(uv);
+        let (low, high) = (self.grid.uv(i, j), self.grid.uv(i + 1, j + 1));
+        let beyond = |x: f64, low: f64, high: f64| usize::from(x - low > high - x);
+        let (i, j) = (i + beyond(uv.u, low.u, high.u), j + beyond(uv.v, low.v, high.v));
+        self.labels[j * self.grid.size().0 + i] == self.label
+    }
+}
