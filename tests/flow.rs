@@ -58,6 +58,20 @@ fn on_hills_and_hollows_it_is_shorter_than_along_parameters() {
     }
 }
 
+/// Between hills and hollows strips are widest in four directions by turns: families share the face, and meet without a scar.
+#[test]
+fn several_families_cut_less_than_one() {
+    let mut wave = example("wave");
+    wave["cutter"] = json!({"kind": "bull_nose", "diameter_mm": 10, "corner_radius_mm": 2, "height_mm": 40});
+    wave["tolerance"] = json!({"scallop_mm": 0.02});
+    let strategy = |families: &str| json!({"kind": "flow", "lead_deg": 15, "families": families});
+    let [one, several] = ["one", "several"].map(|families| planned(&with(&wave, strategy(families))));
+    assert_holds(&several);
+    assert!(length(&several) < 0.97 * length(&one), "{} {}", length(&several), length(&one));
+    let passes = |plan: &Plan| plan.report(None).passes;
+    assert!(passes(&several) > passes(&one), "{} {}", passes(&several), passes(&one));
+}
+
 /// On a plane and in a trough that is cut along there is nothing to gain.
 #[test]
 fn where_nothing_can_be_gained_nothing_is_lost() {

@@ -51,7 +51,7 @@ pub(super) fn auto(spec: &Spec, bytes: Option<&[u8]>, stage: &Stage) -> Result<P
     }
 }
 
-/// The contenders, each after how long its passes should be, mm, the shortest first.
+/// The contenders, each after how long its passes should be at least, mm, the shortest first.
 fn promised(
     spec: &Spec,
     face: &Face,

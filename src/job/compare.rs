@@ -24,7 +24,8 @@ pub struct Contender {
 
 /// The jobs that differ from `spec` in their strategy alone, postures and order being as there: for a mesh parallel sections in four
 /// directions; else both parameters, parallel sections in six, constant scallop from each border, the potential field with
-/// neighbours that are as efficient as they are by default and less, and flow in one family and in several.
+/// neighbours that are as efficient as they are by default and less, and flow in one family
+/// and, at fixed postures, in several.
 pub fn contenders(spec: &Spec, bytes: Option<&[u8]>) -> Result<Vec<Contender>, JobError> {
     let (shape, _) = spec.source.shape(bytes)?;
     let whole: Value = serde_json::from_str(&spec.to_json()).unwrap_or_default();
@@ -61,8 +62,9 @@ pub fn contenders(spec: &Spec, bytes: Option<&[u8]>) -> Result<Vec<Contender>, J
     for (name, least) in [("potential-field", 90), ("potential-field-80", 80)] {
         all.push(with(name, json!({"kind": "potential_field", "least_efficiency_percent": least}))?);
     }
-    for (name, families) in [("flow", "one"), ("flow-divided", "several")] {
-        all.push(with(name, json!({"kind": "flow", "families": families}))?);
+    all.push(with("flow", json!({"kind": "flow"}))?);
+    if matches!(spec.strategy.rule()?, Some(Rule::Fixed(_))) {
+        all.push(with("flow-divided", json!({"kind": "flow", "families": "several"}))?);
     }
     Ok(all)
 }

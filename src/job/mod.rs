@@ -40,12 +40,12 @@ pub use report::{Lengths, Report, Unreachable, Verified};
 pub use run::{Plan, Proof, plan, preview};
 pub use schema::schema;
 pub use shape::Shape;
-#[cfg(feature = "flow")]
-pub use spec::{FamiliesSpec, ObjectiveSpec};
 pub use spec::{
     AlongSpec, CutterSpec, FeedSpec, FixtureSpec, HolderSpec, LinkSpec, OrderSpec, RuleSpec, SideSpec,
     SourceSpec, Spec, StartSpec, StrategySpec, ToleranceSpec, VERSION, VerifySpec,
 };
+#[cfg(feature = "flow")]
+pub use spec::{FamiliesSpec, ObjectiveSpec};
 pub use stepover::{Placement, StepoverChart, StepoverCurves, stepover_chart};
 pub use tool::outline;
 pub use two_passes::{TwoPasses, cut_two_passes};

@@ -35,6 +35,11 @@ pub(super) fn expected_length(
     potential: &Potential,
     values: &[f64],
 ) -> f64 {
+    between_borders(grid, potential, values) + at_borders(grid, domain, values)
+}
+
+/// The same without what runs out over borders: where passes are few, that may be less.
+pub(super) fn between_borders(grid: &FaceGrid, potential: &Potential, values: &[f64]) -> f64 {
     let (low, high) =
         values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| (lo.min(*x), hi.max(*x)));
     let mut bands: Vec<Vec<Piece>> = (0..BANDS).map(|_| Vec::new()).collect();
@@ -51,7 +56,7 @@ pub(super) fn expected_length(
         let lines = 0.25 * triangle.normal.length() * steep * turns.longer(&triangle, rise);
         bands[band.min(BANDS - 1)].push(Piece { lines, rate: 1.0 / (width * steep) });
     }
-    bands.iter_mut().map(|band| in_band(band)).sum::<f64>() + at_borders(grid, domain, values)
+    bands.iter_mut().map(|band| in_band(band)).sum::<f64>()
 }
 
 /// How the level lines of a function turn: the cutter's tip, off the contact by an arm along the feed, swings aside where they do.
@@ -172,5 +177,27 @@ mod tests {
         let length = expected_length(&grid, &face.domain(), &potential, &crowded);
         let share = length / (2400.0 / width + 96.0);
         assert!((1.0..1.12).contains(&share), "{share}");
+    }
+
+    #[test]
+    fn round_lines_swing_the_tip() {
+        let frame = Frame { f: DVec3::X, b: DVec3::Y, n: DVec3::Z };
+        let range = Range::open(-20.0, 20.0);
+        let face = Face::new(Plane { origin: DVec3::ZERO, frame, u: range, v: range }, Side::Front);
+        let grid = FaceGrid::new(&face, 0.5, 4, 100);
+        let (cutter, finish) =
+            (Cutter::bull_nose(10.0, 2.0, 40.0).unwrap(), Finish { scallop: 0.01, chord: 0.0002 });
+        let rule = Rule::Fixed(Posture { lead: 0.1, yaw: 0.0 });
+        let potential = Potential::new((&face, &grid), &cutter, &rule, &finish, &Stage::silent()).unwrap();
+        let values: Vec<f64> = grid.points().iter().map(|p| p.length()).collect();
+        let turns = Turns::new(&grid, &potential, &values);
+        for triangle in triangles(&grid) {
+            let middle = triangle.nodes.iter().map(|&k| grid.points()[k]).sum::<DVec3>() / 3.0;
+            let (radius, arm) = (middle.length(), potential.arm());
+            if radius > 4.0 {
+                let longer = turns.longer(&triangle, triangle.gradient(&values));
+                assert!((longer / libm::hypot(1.0, arm / radius) - 1.0).abs() < 0.02, "{middle} {longer}");
+            }
+        }
     }
 }

@@ -1,25 +1,11 @@
-//! Functions whose level lines lie edge to edge from one line on, and how long passes along them should be.
+//! Functions whose level lines lie edge to edge from one line on.
 
-use super::coarea::expected_length;
 use super::potential::Potential;
 use crate::geometry::{Domain, FaceGrid, Fronts, triangles};
 use glam::DVec3;
 
 /// Rounds in which directions and widths come to agree.
 const ROUNDS: usize = 4;
-
-/// How long passes offset edge to edge from the line at `level` of the function with `values` at the nodes of `grid` should be, mm; `None`
-/// where that line is a point.
-pub(super) fn expected_from(
-    grid: &FaceGrid,
-    domain: &Domain,
-    potential: &Potential,
-    values: &[f64],
-    level: f64,
-) -> Option<f64> {
-    let values = offset((grid, domain), potential, values, level)?;
-    Some(expected_length(grid, domain, potential, &values))
-}
 
 /// The function that is 0 on the line of `values` at `level` and rises by about one over every strip; `None` where that line is a
 /// point.

@@ -1,8 +1,8 @@
-//! How long the passes of a strategy should be, before any is laid.
+//! How long the passes of a strategy should be at least, before any is laid.
 
-use super::coarea::expected_length;
+use super::coarea::between_borders;
 use super::constant_scallop::{Start, away_from, seed};
-use super::edge_to_edge::expected_from;
+use super::edge_to_edge::offset;
 use super::iso_planar::mean_normal;
 use super::potential::Potential;
 use super::streamlines::Streamlines;
@@ -16,7 +16,7 @@ use glam::DVec3;
 /// Initial paths of the potential field that are looked at: the first does as a rule, and those that wind divide nothing.
 const INITIAL: usize = 4;
 
-/// A face on which strategies are compared by the co-area formula, all lengths in mm.
+/// A face on which strategies are compared by the co-area formula, all lengths in mm and without what runs out over borders.
 pub struct Promises<'a> {
     face: &'a Face,
     grid: FaceGrid,
@@ -75,10 +75,11 @@ impl<'a> Promises<'a> {
     }
 
     fn lines(&self, values: &[f64]) -> f64 {
-        expected_length(&self.grid, &self.face.domain(), &self.potential, values)
+        between_borders(&self.grid, &self.potential, values)
     }
 
     fn offset(&self, values: &[f64], level: f64) -> Option<f64> {
-        expected_from(&self.grid, &self.face.domain(), &self.potential, values, level)
+        offset((&self.grid, &self.face.domain()), &self.potential, values, level)
+            .map(|values| self.lines(&values))
     }
 }

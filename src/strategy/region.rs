@@ -48,3 +48,32 @@ impl Region {
         self.labels[j * self.grid.size().0 + i] == self.label
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Face, Plane, Range, Side};
+    use crate::math::frame::Frame;
+    use glam::DVec3;
+
+    #[test]
+    fn places_belong_to_the_nearest_node_and_meet_between() {
+        let frame = Frame { f: DVec3::X, b: DVec3::Y, n: DVec3::Z };
+        let (u, v) = (Range::open(0.0, 10.0), Range::open(0.0, 6.0));
+        let face = Face::new(Plane { origin: DVec3::ZERO, frame, u, v }, Side::Front);
+        let grid = FaceGrid::new(&face, 1.0, 4, 100);
+        let labels = grid.points().iter().map(|p| usize::from(p.x > 4.5)).collect();
+        let regions = Region::all(grid, labels, 2);
+        for (x, label) in [(0.0, 0), (4.4, 0), (4.6, 1), (10.0, 1)] {
+            for y in [0.0, 2.4, 6.0] {
+                assert!(
+                    regions[label].has(Uv::new(x, y)) && !regions[1 - label].has(Uv::new(x, y)),
+                    "{x} {y}"
+                );
+            }
+        }
+        let meeting = regions[0].meeting(4);
+        assert_eq!(meeting.len(), 6 * 16);
+        assert!(meeting.iter().all(|uv| (4.0..5.0).contains(&uv.u)));
+    }
+}

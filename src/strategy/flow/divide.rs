@@ -8,6 +8,8 @@ const FAMILIES: usize = 6;
 const SAVES: f64 = 0.01;
 /// What a millimetre of the line costs along which families meet, mm: passes of both end there, each a little beyond.
 const MEETING: f64 = 0.5;
+/// Lines aslant to the grid are counted as stairs, which are longer by 4/π on the mean.
+const STAIRS: f64 = std::f64::consts::FRAC_PI_4;
 /// Over how many cells to either side shares are evened out before the smaller is taken: the finer the longer the lines between.
 const EVEN: [usize; 4] = [1, 2, 4, 8];
 
@@ -62,8 +64,6 @@ pub(super) fn divided(grid: &FaceGrid, shares: &[&[f64]]) -> Option<Division> {
 
 /// How long the lines are between nodes with different labels, mm.
 fn meeting(grid: &FaceGrid, labels: &[usize]) -> f64 {
-    // Lines aslant to the grid are counted as stairs: on the mean by 4/π.
-    const STAIRS: f64 = std::f64::consts::FRAC_PI_4;
     let (nu, nv) = grid.size();
     let at = |i: usize, j: usize| grid.points()[j * nu + i];
     let mut length = 0.0;
@@ -101,4 +101,46 @@ fn evened(grid: &FaceGrid, values: &[f64], by: usize) -> Vec<f64> {
         }
     }
     values
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Face, Plane, Range, Side};
+    use crate::math::frame::Frame;
+    use glam::DVec3;
+
+    /// A plane of 40 × 20 mm, with nodes a millimetre apart.
+    fn grid() -> FaceGrid {
+        let frame = Frame { f: DVec3::X, b: DVec3::Y, n: DVec3::Z };
+        let (u, v) = (Range::open(0.0, 40.0), Range::open(0.0, 20.0));
+        FaceGrid::new(&Face::new(Plane { origin: DVec3::ZERO, frame, u, v }, Side::Front), 1.0, 4, 100)
+    }
+
+    fn shares(grid: &FaceGrid, share: impl Fn(DVec3) -> f64) -> Vec<f64> {
+        grid.points().iter().map(|p| share(*p)).collect()
+    }
+
+    #[test]
+    fn each_half_goes_by_the_function_that_is_better_there() {
+        let grid = grid();
+        let [left, right] = [true, false]
+            .map(|is_left| shares(&grid, move |p| if (p.x < 20.25) == is_left { 1.0 } else { 1.5 }));
+        let even = shares(&grid, |_| 1.2);
+        let found = divided(&grid, &[&even, &left, &right]).unwrap();
+        let nodes = grid.points().len() as f64;
+        assert!((found.expected - (nodes + MEETING * STAIRS * 20.0)).abs() < 0.5, "{}", found.expected);
+        for (p, &label) in grid.points().iter().zip(&found.labels) {
+            assert_eq!(found.families[label], if p.x < 20.25 { 1 } else { 2 }, "{p}");
+        }
+    }
+
+    #[test]
+    fn one_family_stays_where_meeting_costs_more() {
+        let grid = grid();
+        // Better on a spot of 2 × 2 mm, by as much as meeting round it costs.
+        let spot = shares(&grid, |p| if p.distance(DVec3::new(20.0, 10.0, 0.0)) < 1.2 { 0.4 } else { 1.5 });
+        assert!(divided(&grid, &[&shares(&grid, |_| 1.0), &spot]).is_none());
+        assert!(divided(&grid, &[&spot]).is_none());
+    }
 }
