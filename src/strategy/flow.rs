@@ -38,6 +38,8 @@ const SOFT: [f64; 3] = [0.2, 1.0, 10.0];
 /// yaws that are chosen too, hardly at all: everything is laid.
 const WORSE: [f64; 2] = [1.05, 1.3];
 const MOST: usize = 4;
+/// Of what should be as long to this share, parameters and planes are laid first: what is expected is no more exact.
+const STRAIGHT: f64 = 0.99;
 /// Where postures are chosen, passes offset from a line must promise to be this share of any others.
 const BENDS: f64 = 0.9;
 /// Places a side of a cell that are looked at where regions meet.
@@ -254,7 +256,10 @@ fn divided(face: &Face, grid: &FaceGrid, starts: Vec<&Start>) -> Option<(f64, Wa
 
 /// `ways` with how long they should be, mm: the shortest first, and spare those that should be so much longer.
 fn rated(mut ways: Vec<(f64, Way)>, worse: f64) -> Vec<Rated> {
-    best_first(&mut ways);
+    let is_straight = |way: &Way| matches!(way, Way::Levels(Field::U | Field::V | Field::Along(_), _));
+    sort_by_key(&mut ways, |(expected, way)| {
+        (rank(if is_straight(way) { *expected } else { expected / STRAIGHT }), 0)
+    });
     let most = ways.first().map_or(0.0, |way| worse * way.0);
     let rated = ways.into_iter().enumerate();
     rated
@@ -293,10 +298,6 @@ fn proposals(face: &Face, grid: &FaceGrid, potential: &Potential) -> Vec<Proposa
     let mut bent: Vec<Proposal> = ways.map(bend).collect();
     sort_by_key(&mut bent, |bent| (rank(bent.expected), 0));
     bent.into_iter().take(1).chain(sections.into_iter().take(1)).chain(parameters).collect()
-}
-
-fn best_first<T>(ways: &mut [(f64, T)]) {
-    sort_by_key(ways, |way| (rank(way.0), 0));
 }
 
 /// Parallel planes in even steps of direction, each with a function that tells places along its lines apart.
