@@ -80,6 +80,11 @@ fn what_keeps_the_lead_is_told_to_be_the_holder() {
     let held = planned_on(trough, &chosen, &wide);
     assert_eq!(for_holder(&free), 0);
     assert!(for_holder(&held) > 20, "{}", for_holder(&held));
+    // Where the cutter's own body asks for lead, a holder that is far off is not to blame.
+    let far = json!({"shape": "cylinder", "stickout_mm": 60, "diameter_mm": 10, "height_mm": 60});
+    let narrow = planned(&chosen, &far);
+    assert!(narrow.csv.lines().filter(|line| line.ends_with(",body")).count() > 20);
+    assert_eq!(for_holder(&narrow), 0);
 }
 
 #[test]

@@ -62,14 +62,14 @@ pub(super) fn nearest(
         if here.distance < asked.enough || reach < LEAST_REACH || is_known(here.point) {
             break;
         }
-        let model = Model::new(body, &jet, step).held_at(&domain, here.uv);
+        let model = Model::new(body, &jet, step).held_at(&domain, here.uv, step);
         let least = model.least(reach).map(|lower| here.distance - lower);
         if here.distance >= asked.above && is_surely_above(asked.above, least, foretold) {
             break;
         }
         let way = model.way(reach);
         let gain = model.gain(way);
-        if gain < SLOW {
+        if gain < SLOW || gain.is_nan() {
             break;
         }
         let next = look(domain.clamp(Uv::new(here.uv.u + way.x * step.u, here.uv.v + way.y * step.v)));
@@ -116,10 +116,12 @@ impl Model {
     }
 
     /// The same, where the way down does not lead out over a border on which `at` lies.
-    fn held_at(mut self, domain: &Domain, at: Uv) -> Self {
-        let ranges = [(&domain.u, at.u), (&domain.v, at.v)];
-        for (k, (range, x)) in ranges.into_iter().enumerate() {
-            let is_out = (x <= range.lo && self.slope[k] > 0.0) || (x >= range.hi && self.slope[k] < 0.0);
+    fn held_at(mut self, domain: &Domain, at: Uv, step: Uv) -> Self {
+        let ranges = [(&domain.u, at.u, step.u), (&domain.v, at.v, step.v)];
+        for (k, (range, x, step)) in ranges.into_iter().enumerate() {
+            let near = LEAST_REACH * step;
+            let is_out = (x - range.lo <= near && self.slope[k] > 0.0)
+                || (range.hi - x <= near && self.slope[k] < 0.0);
             if !range.periodic && is_out {
                 self.slope[k] = 0.0;
                 self.bend.col_mut(1 - k)[k] = 0.0;
@@ -155,7 +157,7 @@ impl Model {
                 return way;
             }
         }
-        // Held back by so much every way is shorter than the reach, and by the other none.
+        // Held back by so much every way is shorter than the reach, and by the other most are longer.
         let mut low = (-least_bend).max(0.0);
         let mut high = low + self.slope.length() / reach;
         for _ in 0..HALVINGS {

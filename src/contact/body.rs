@@ -70,12 +70,12 @@ impl Body {
         out * outwards + self.axis * upwards
     }
 
-    /// The directions in which [`Body::gradient`] turns, with by how much, 1/mm. On the axis, where rings shrink to a point, they
-    /// do not count.
+    /// The directions in which [`Body::gradient`] turns, with by how much, 1/mm. On the axis, where rings shrink to a point, it turns
+    /// around as it does within the plane of the axis: so it is below a ball, and not at all below a flat bottom.
     pub(super) fn bend(&self, point: DVec3) -> [(f64, DVec3); 2] {
         let Slope { out, rho, along: [outwards, upwards], turn } = self.slope(point);
         let within = (turn, out * upwards - self.axis * outwards);
-        let around = (if rho > 0.0 { outwards / rho } else { 0.0 }, self.axis.cross(out));
+        let around = (if rho > 0.0 { outwards / rho } else { turn }, self.axis.cross(out));
         [within, around]
     }
 
@@ -88,7 +88,8 @@ impl Body {
         let out = if rho > 0.0 { beside / rho } else { self.axis.any_orthonormal_vector() };
         let ((sa, ca), (sb, cb)) = (self.bottom, self.side);
         let (bottom, side) = (([sa, -ca], 0.0), ([cb, -sb], 0.0));
-        let (along, turn) = match (-x * ca - z * sa >= 0.0, x * sb + z * cb >= 0.0) {
+        // Right below the middle of a ball all is corner.
+        let (along, turn) = match (-x * ca - z * sa > 0.0, x * sb + z * cb > 0.0) {
             (true, true) if x * sa - z * ca < x * cb - z * sb => side,
             (true, _) => bottom,
             (false, true) => side,

@@ -166,8 +166,11 @@ impl FaceObstacle {
                 }
             }
             if let Some((_, at)) = lowest.filter(|(here, _)| *here < 0.0) {
-                let Some((du, dv)) = jet.pull_back((frame.f + frame.b) * (0.5 * radius)) else { continue };
-                let step = Uv::new(du.abs(), dv.abs());
+                let [u, v] = [jet.du, jet.dv].map(|along| 0.5 * radius / along.length());
+                if !(u.is_finite() && v.is_finite()) {
+                    continue;
+                }
+                let step = Uv::new(u, v);
                 if nearest(&self.face, &body, at, step, asked, &|_| false).distance < allowed {
                     return true;
                 }
@@ -243,7 +246,7 @@ impl Block {
     /// its distance at the centre has it.
     fn is_beyond(&self, body: &Body, margin: f64) -> bool {
         let room = body.distance(self.center) - margin;
-        if room > self.radius || room < -self.thickness {
+        if room > self.radius || room <= 0.0 {
             return room > self.radius;
         }
         let gradient = body.gradient(self.center);

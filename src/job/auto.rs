@@ -10,7 +10,7 @@ use crate::monitor::Stage;
 use crate::posture::Rule;
 use crate::strategy::Promises;
 
-/// What should come out longer by this share than the shortest that is laid is laid only where none of that holds: at fixed postures; and
+/// What should come out longer by this share than the quickest that is laid is laid only where none of that holds: at fixed postures; and
 /// where they are chosen, since strips keep less to the surface's second order then.
 const WORSE: [f64; 2] = [1.1, 1.3];
 
@@ -26,32 +26,38 @@ pub(super) fn auto(spec: &Spec, bytes: Option<&[u8]>, stage: &Stage) -> Result<P
         Shape::Face(face) => promised(spec, face, all, &stage.part("Comparing directions", 0.0, 0.05))?,
         Shape::Mesh(_) => all.into_iter().map(|contender| (0.0, contender)).collect(),
     };
-    let worse = WORSE[usize::from(!matches!(spec.strategy.rule()?, Some(Rule::Fixed(_))))];
+    let worse = match spec.strategy.rule()? {
+        Some(Rule::Fixed(_)) | None => WORSE[0],
+        Some(Rule::Matched(_) | Rule::Widest(_)) => WORSE[1],
+        // What lifts save no formula tells.
+        Some(Rule::TwoContacts(_)) => f64::INFINITY,
+    };
     let mut contest = Contest { spec, bytes, laid: Vec::new(), why: None };
     let mut spare = Vec::new();
     let count = promised.len() as f64;
     for (k, (promise, contender)) in promised.into_iter().enumerate() {
         let at = |k: usize| 0.05 + 0.75 * k as f64 / count;
-        if promise > worse * contest.shortest() {
-            spare.push(contender);
+        if promise > worse * contest.length() {
+            spare.push((promise, contender));
         } else {
             contest.lay(&contender, &stage.part("Planning", at(k), at(k + 1)))?;
         }
     }
     let last = stage.part("Cutting in simulation", 0.8, 1.0).quiet();
-    let mut spare = spare.into_iter();
+    spare.reverse();
     loop {
-        if let Some(plan) = contest.quickest_that_holds(&last)? {
-            return Ok(plan);
-        }
-        match spare.next() {
-            Some(contender) => contest.lay(&contender, &last)?,
-            None => return contest.quickest(),
+        // What the quickest seemed to be worth may not have held.
+        let found = contest.quickest_that_holds(&last)?;
+        let most = found.as_ref().map_or(f64::INFINITY, |(length, _)| worse * length);
+        match (spare.pop_if(|(promise, _)| *promise <= most), found) {
+            (Some((_, contender)), _) => contest.lay(&contender, &last)?,
+            (None, Some((_, plan))) => return Ok(plan),
+            (None, None) => return contest.quickest(),
         }
     }
 }
 
-/// The contenders, each after how long its passes should be at least, mm, the shortest first.
+/// The contenders, each after about how long its passes should be, mm, the shortest first.
 fn promised(
     spec: &Spec,
     face: &Face,
@@ -97,9 +103,9 @@ struct Contest<'a> {
 }
 
 impl Contest<'_> {
-    /// The length of the shortest cuts, mm; infinite as long as there are none.
-    fn shortest(&self) -> f64 {
-        self.laid.iter().map(|laid| laid.length).fold(f64::INFINITY, f64::min)
+    /// The length of the quickest's cuts, mm; infinite as long as there is none.
+    fn length(&self) -> f64 {
+        self.laid.first().map_or(f64::INFINITY, |laid| laid.length)
     }
 
     fn lay(&mut self, contender: &Contender, stage: &Stage) -> Result<(), JobError> {
@@ -120,13 +126,14 @@ impl Contest<'_> {
         Ok(())
     }
 
-    fn quickest_that_holds(&mut self, stage: &Stage) -> Result<Option<Plan>, JobError> {
+    /// With the length of its cuts, mm.
+    fn quickest_that_holds(&mut self, stage: &Stage) -> Result<Option<(f64, Plan)>, JobError> {
         for laid in self.laid.iter_mut().filter(|laid| !laid.is_out) {
             let proof = laid.plan.proof(stage)?;
             laid.is_out = !holds(&proof.verified, self.spec.tolerance.scallop_mm);
             laid.plan.proven = Some(Box::new(proof));
             if !laid.is_out {
-                return Ok(Some(laid.plan.clone()));
+                return Ok(Some((laid.length, laid.plan.clone())));
             }
         }
         Ok(None)

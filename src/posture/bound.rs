@@ -1,16 +1,12 @@
 //! Why leads are not less.
 
-use super::clear::{is_clear, least_clear};
 use super::lattice::Lattice;
 use super::{Ground, Limits};
 use crate::contact::matching_lead;
-use crate::toolpath::{Bound, Posture};
+use crate::toolpath::Bound;
 
 /// Leads nearer than this count as the same, radians.
 const SAME: f64 = 1e-9;
-
-/// Leads that are found by halving count as different from here on, radians.
-const APART: f64 = 0.002;
 
 /// How leads came about, a number a node, radians.
 pub(super) struct Leads<'a> {
@@ -20,6 +16,8 @@ pub(super) struct Leads<'a> {
     pub(super) local: &'a [f64],
     /// What the whole cutter asks for, no less than `local`.
     pub(super) floors: &'a [f64],
+    /// Whether that is for the holder.
+    pub(super) for_holder: &'a [bool],
     /// What they spread to.
     pub(super) chosen: &'a [f64],
     /// The nodes that no lead suits.
@@ -33,7 +31,7 @@ pub(super) fn bounds(ground: &Ground, limits: &Limits, lattice: &Lattice, leads:
         .map(|i| {
             let matching = || matching_lead(ground.cutter, &lattice.nodes[i].contact?.surface, leads.yaws[i]);
             if leads.floors[i] > leads.local[i] + SAME {
-                if is_held_off(ground, limits, lattice, leads, i) { Bound::Holder } else { Bound::Body }
+                if leads.for_holder[i] { Bound::Holder } else { Bound::Body }
             } else if leads.local[i] <= limits.least_lead + SAME {
                 Bound::Least
             } else if matching().is_some_and(|lead| leads.local[i] <= lead + SAME) {
@@ -57,16 +55,4 @@ pub(super) fn bounds(ground: &Ground, limits: &Limits, lattice: &Lattice, leads:
         bounds[i] = Bound::Misfit;
     }
     bounds
-}
-
-/// Whether the node `i`, whose whole cutter asks for more lead than its contact, would need less without the holder.
-fn is_held_off(ground: &Ground, limits: &Limits, lattice: &Lattice, leads: &Leads, i: usize) -> bool {
-    if ground.holder.is_none() {
-        return false;
-    }
-    let (node, bare) = (&lattice.nodes[i], Ground { holder: None, ..*ground });
-    let local = Posture { lead: leads.local[i], yaw: leads.yaws[i] };
-    is_clear(&bare, ground.cutter, node, local)
-        || least_clear(&bare, ground.cutter, node, local, limits)
-            .is_some_and(|lead| lead < leads.floors[i] - APART)
 }

@@ -5,7 +5,7 @@ use super::clear::half_width;
 use super::field::Way;
 use super::fit::largest_fit;
 use super::lattice::Lattice;
-use super::lead::{clear_leads, local_leads, spread};
+use super::lead::{ClearLeads, clear_leads, local_leads, spread};
 use super::lift::lift;
 use super::yaw::yaws;
 use super::{Limits, PostureField, Rule};
@@ -123,9 +123,16 @@ fn any_way(
     }
     let yaws = lattice.steadied(&wished, &allowed_yaws(ground, &lattice, &leads, &halves));
     let local = floors.clone();
-    let (leads, misfits) =
+    let ClearLeads { leads, for_holder, misfits } =
         clear_leads(ground, limits, &lattice, &yaws, &mut floors, &halves, &part(0.5, 1.0))?;
-    let told = Leads { yaws: &wished, local: &local, floors: &floors, chosen: &leads, misfits: &misfits };
+    let told = Leads {
+        yaws: &wished,
+        local: &local,
+        floors: &floors,
+        for_holder: &for_holder,
+        chosen: &leads,
+        misfits: &misfits,
+    };
     let bounds = bounds(ground, limits, &lattice, &told);
     // Where clearance took more lead than was thought, the same yaw turns the axis more.
     let yaws = lattice.steadied(&yaws, &allowed_yaws(ground, &lattice, &leads, &halves));

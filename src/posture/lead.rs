@@ -33,8 +33,16 @@ pub(super) fn spread(lattice: &Lattice, floors: &[f64], allowed: &[f64]) -> Vec<
     lattice.raised(lattice.largest_around(floors), allowed)
 }
 
-/// Raises `floors` until the cutter is clear of the face at every node with the leads that they [`spread`] to, which come
-/// back with the nodes at which it fits in no way.
+/// The leads at which the cutter is clear.
+pub(super) struct ClearLeads {
+    pub(super) leads: Vec<f64>,
+    /// Whether it was the holder that asked for more, a flag a node.
+    pub(super) for_holder: Vec<bool>,
+    /// The nodes at which it fits in no way.
+    pub(super) misfits: Vec<usize>,
+}
+
+/// Raises `floors` until the cutter is clear of the face at every node with the leads that they [`spread`] to.
 pub(super) fn clear_leads(
     ground: &Ground,
     limits: &Limits,
@@ -43,31 +51,41 @@ pub(super) fn clear_leads(
     floors: &mut [f64],
     allowed: &[f64],
     stage: &Stage,
-) -> Result<(Vec<f64>, Vec<usize>), Cancelled> {
+) -> Result<ClearLeads, Cancelled> {
+    let bare = Ground { holder: None, ..*ground };
     let mut leads = spread(lattice, floors, allowed);
     let mut tested = vec![f64::NAN; leads.len()];
     let mut fits = vec![true; leads.len()];
+    let mut for_holder = vec![false; leads.len()];
     for round in 0..ROUNDS {
         let part =
             stage.part("Choosing postures", round as f64 / ROUNDS as f64, (round + 1) as f64 / ROUNDS as f64);
         let open: Vec<usize> = (0..leads.len())
             .filter(|&i| leads[i] != tested[i] && lattice.nodes[i].contact.is_some())
             .collect();
-        // What is asked for each: nothing if clear, else the lead that is.
+        // What is asked for each: nothing if clear, else the lead that is, and whether without the holder less would do.
         let found = part.map(open.len(), |k| {
             let i = open[k];
             let posture = Posture { lead: leads[i], yaw: yaws[i] };
             let node = &lattice.nodes[i];
-            (!is_clear(ground, ground.cutter, node, posture))
-                .then(|| least_clear(ground, ground.cutter, node, posture, limits))
+            if is_clear(ground, ground.cutter, node, posture) {
+                return None;
+            }
+            let lead = least_clear(ground, ground.cutter, node, posture, limits);
+            let is_less = |lead: f64| {
+                is_clear(&bare, ground.cutter, node, posture)
+                    || least_clear(&bare, ground.cutter, node, posture, limits)
+                        .is_some_and(|less| less < lead)
+            };
+            Some(lead.map(|lead| (lead, ground.holder.is_some() && is_less(lead))))
         })?;
         let mut raised = false;
         for (&i, found) in open.iter().zip(&found) {
             tested[i] = leads[i];
             match found {
                 None => {}
-                Some(Some(lead)) => {
-                    floors[i] = *lead;
+                Some(Some((lead, is_for_holder))) => {
+                    (floors[i], for_holder[i]) = (*lead, *is_for_holder);
                     raised = true;
                 }
                 Some(None) => fits[i] = false,
@@ -79,5 +97,5 @@ pub(super) fn clear_leads(
         leads = spread(lattice, floors, allowed);
     }
     let misfits = (0..fits.len()).filter(|&i| !fits[i]).collect();
-    Ok((leads, misfits))
+    Ok(ClearLeads { leads, for_holder, misfits })
 }

@@ -60,7 +60,7 @@ impl Default for Limits {
 /// for rounding.
 const LIFTED: f64 = 0.97;
 
-/// Shares of the cusps' height that are tried. On a twisted blade passes came out a sixth shorter with the second, on a toric
+/// Shares of the cusps' height that are tried. On a twisted blade passes come out a sixth shorter with the second, on a toric
 /// lens twice as long.
 const HEIGHTS: [f64; 2] = [1.0, 0.67];
 

@@ -80,10 +80,9 @@ impl Proposal {
 }
 
 /// How many families passes may be of.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Families {
     /// One: links are few.
-    #[default]
     One,
     /// As many as make the cuts shortest: passes end where families meet, and links are many.
     Several,
@@ -223,12 +222,14 @@ fn ways(
         let mut levels = starts.levels(&proposals);
         let several = families == Families::Several;
         let divided = several.then(|| divided(face, grid, levels.iter().chain(&streamlines).collect()));
+        let divided = divided.flatten().map(|way| Rated { way, is_spare: false });
         shortest_first(&mut levels);
         shortest_first(&mut streamlines);
         streamlines.dedup_by(|next, last| next.expected < OTHER * last.expected);
         let mut ways: Vec<(f64, Way)> = lines(levels, 1).chain(lines(streamlines, STREAMLINES)).collect();
-        ways.extend(proposals.into_iter().map(Proposal::way).chain(divided.flatten()));
-        return Ok(rated(ways, WORSE[0]));
+        ways.extend(proposals.into_iter().map(Proposal::way));
+        // How long they should be is counted in another way: one family may be shorter.
+        return Ok(divided.into_iter().chain(rated(ways, WORSE[0])).collect());
     }
     shortest_first(&mut streamlines);
     let mut ways: Vec<(f64, Way)> = proposals.into_iter().map(Proposal::way).collect();
@@ -240,8 +241,8 @@ fn ways(
     Ok(rated(ways, worse))
 }
 
-/// Several families that divide the face, where that saves enough, and how long their passes should be, mm.
-fn divided(face: &Face, grid: &FaceGrid, starts: Vec<&Start>) -> Option<(f64, Way)> {
+/// Several families that divide the face, where that saves enough.
+fn divided(face: &Face, grid: &FaceGrid, starts: Vec<&Start>) -> Option<Way> {
     let domain = face.domain();
     // Over a seam neighbours are not looked for.
     if domain.u.periodic || domain.v.periodic {
@@ -251,7 +252,7 @@ fn divided(face: &Face, grid: &FaceGrid, starts: Vec<&Start>) -> Option<(f64, Wa
     let division = divide::divided(grid, &shares)?;
     let lines = division.families.iter().map(|&k| starts[k].line.clone());
     let regions = Region::all(grid.clone(), division.labels, division.families.len());
-    Some((division.expected, Way::Divided(lines.zip(regions).collect())))
+    Some(Way::Divided(lines.zip(regions).collect()))
 }
 
 /// `ways` with how long they should be, mm: the shortest first, and spare those that should be so much longer.

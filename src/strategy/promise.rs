@@ -1,4 +1,4 @@
-//! How long the passes of a strategy should be at least, before any is laid.
+//! About how long the passes of a strategy should be, before any is laid.
 
 use super::coarea::between_borders;
 use super::constant_scallop::{Start, away_from, seed};

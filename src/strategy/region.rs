@@ -19,13 +19,15 @@ impl Region {
         (0..count).map(|label| Self { grid: grid.clone(), labels: labels.clone(), label }).collect()
     }
 
-    /// Places along where it meets the others, so many to a side of each cell there.
+    /// Places along where it meets those of higher labels, so many to a side of each cell there.
     pub(super) fn meeting(&self, parts: usize) -> Vec<Uv> {
         let (nu, nv) = self.grid.size();
-        let is_own = |i: usize, j: usize| self.labels[j * nu + i] == self.label;
+        let label = |i: usize, j: usize| self.labels[j * nu + i];
         let is_mixed = |&(i, j): &(usize, usize)| {
-            let own = [is_own(i, j), is_own(i + 1, j), is_own(i, j + 1), is_own(i + 1, j + 1)];
-            own.contains(&true) && own.contains(&false)
+            let around = [label(i, j), label(i + 1, j), label(i, j + 1), label(i + 1, j + 1)];
+            around.contains(&self.label)
+                && around.iter().all(|label| *label >= self.label)
+                && around.iter().any(|label| *label > self.label)
         };
         let cells = (0..nv - 1).flat_map(|j| (0..nu - 1).map(move |i| (i, j))).filter(is_mixed);
         let inside = |(i, j): (usize, usize)| {
@@ -73,7 +75,7 @@ mod tests {
             }
         }
         let meeting = regions[0].meeting(4);
-        assert_eq!(meeting.len(), 6 * 16);
+        assert_eq!((meeting.len(), regions[1].meeting(4).len()), (6 * 16, 0));
         assert!(meeting.iter().all(|uv| (4.0..5.0).contains(&uv.u)));
     }
 }

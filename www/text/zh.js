@@ -83,7 +83,7 @@ export default {
   'field.strategy.start_points_mm': '曲线上的点，mm',
   'field.strategy.angle_deg': '截面方向角',
   'field.strategy.least_efficiency_percent': '最低切削效率',
-  'field.strategy.families': '刀轨族数',
+  'field.strategy.families': '刀轨分为',
   'field.strategy.rule': '刀轴倾斜',
   'field.strategy.lead_deg': '前倾角',
   'field.strategy.yaw_deg': '偏转角',

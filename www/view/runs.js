@@ -164,6 +164,8 @@ export function nameOf({ spec: { strategy } }) {
     words.push(`${plain(strategy.angle_deg)}°`);
   if (strategy.kind === 'constant_scallop')
     words.push(t(`choice.${strategy.start}`, {}, prettify(strategy.start)));
+  if (strategy.kind === 'flow' && strategy.families === 'several') words.push(t('choice.several'));
+  if (strategy.kind === 'potential_field') words.push(`${plain(strategy.least_efficiency_percent)} %`);
   if (strategy.rule && strategy.rule !== 'fixed') words.push(t(`choice.${strategy.rule}`));
   else if (strategy.rule) words.push(`λ ${plain(strategy.lead_deg)}°`);
   return words.join(' · ');

@@ -42,7 +42,8 @@ pub(super) fn divided(grid: &FaceGrid, shares: &[&[f64]]) -> Option<Division> {
                         .min_by(|a, b| even[families[*a]][node].total_cmp(&even[families[*b]][node]))
                         .unwrap_or(0)
                 };
-                let labels: Vec<usize> = (0..count).map(least).collect();
+                let mut labels: Vec<usize> = (0..count).map(least).collect();
+                let families = used(&families, &mut labels);
                 let expected = labels
                     .iter()
                     .enumerate()
@@ -50,7 +51,7 @@ pub(super) fn divided(grid: &FaceGrid, shares: &[&[f64]]) -> Option<Division> {
                     .sum::<f64>()
                     + MEETING * meeting(grid, &labels);
                 if next.as_ref().is_none_or(|next| expected < next.expected) {
-                    next = Some(Division { expected, families: families.clone(), labels });
+                    next = Some(Division { expected, families, labels });
                 }
             }
         }
@@ -60,6 +61,14 @@ pub(super) fn divided(grid: &FaceGrid, shares: &[&[f64]]) -> Option<Division> {
         }
     }
     (best.families.len() > 1).then_some(best)
+}
+
+/// Those of `families` that some node goes by; `labels` are their numbers from then on.
+fn used(families: &[usize], labels: &mut [usize]) -> Vec<usize> {
+    let is_used: Vec<bool> = (0..families.len()).map(|k| labels.contains(&k)).collect();
+    let before = |k: usize| is_used[..k].iter().filter(|is_used| **is_used).count();
+    labels.iter_mut().for_each(|label| *label = before(*label));
+    (0..families.len()).filter(|&k| is_used[k]).map(|k| families[k]).collect()
 }
 
 /// How long the lines are between nodes with different labels, mm.
@@ -133,6 +142,13 @@ mod tests {
         for (p, &label) in grid.points().iter().zip(&found.labels) {
             assert_eq!(found.families[label], if p.x < 20.25 { 1 } else { 2 }, "{p}");
         }
+    }
+
+    #[test]
+    fn a_family_that_others_leave_nothing_to_is_gone() {
+        let mut labels = [2, 0, 2, 2, 0];
+        assert_eq!(used(&[7, 3, 5], &mut labels), [7, 5]);
+        assert_eq!(labels, [1, 0, 1, 1, 0]);
     }
 
     #[test]
