@@ -1,6 +1,6 @@
 //! Scalar fields on a face, whose level lines become passes.
 
-use super::{Face, Jet, Table, Uv};
+use super::{Face, FaceGrid, Jet, Table, Uv};
 use crate::math::frame::Frame;
 use glam::DVec3;
 use std::sync::Arc;
@@ -19,6 +19,13 @@ pub enum Field {
 }
 
 impl Field {
+    /// The values at the nodes of `grid`, u running fastest.
+    pub fn at_nodes(&self, grid: &FaceGrid) -> Vec<f64> {
+        let nu = grid.size().0;
+        let points = grid.points().iter().enumerate();
+        points.map(|(k, p)| self.value(grid.uv(k % nu, k / nu), *p)).collect()
+    }
+
     /// The field's value at `uv`, where the face's point is `p`.
     pub fn value(&self, uv: Uv, p: DVec3) -> f64 {
         match self {

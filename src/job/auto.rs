@@ -10,7 +10,7 @@ use crate::monitor::Stage;
 use crate::posture::Rule;
 use crate::strategy::Promises;
 
-/// What should come out longer by this share than the quickest that is laid is laid only where none of that holds: at fixed postures; and
+/// What should come out longer by this share than the quickest that is laid is laid only where that does not hold: at fixed postures; and
 /// where they are chosen, since strips keep less to the surface's second order then.
 const WORSE: [f64; 2] = [1.1, 1.3];
 
@@ -18,7 +18,7 @@ const WORSE: [f64; 2] = [1.1, 1.3];
 /// of all.
 ///
 /// Quick is the whole program at its feeds, links and rapid ways included; or, where length is the objective, what has the shortest cuts.
-/// What by the co-area formula should come out much longer than what is laid already is left for the case that nothing else holds.
+/// What by the co-area formula should come out much longer than the quickest is laid only where that does not hold.
 /// Strategies that cannot be planned are passed over, unless none can.
 pub(super) fn auto(spec: &Spec, bytes: Option<&[u8]>, stage: &Stage) -> Result<Plan, JobError> {
     let (all, (shape, _)) = (contenders(spec, bytes)?, spec.source.shape(bytes)?);

@@ -5,8 +5,6 @@ use super::joining::Joining;
 use super::picture::Picture;
 use super::report::{Lengths, Report, Unreachable, Verified, minutes};
 use super::shape::Shape;
-#[cfg(feature = "flow")]
-use super::spec::FamiliesSpec;
 use super::spec::{OrderSpec, Spec, StrategySpec, VERSION};
 use crate::contact::{DropMesh, FaceObstacle, Underside, is_in_mesh};
 use crate::cutter::{Holder, Tool};
@@ -14,8 +12,6 @@ use crate::geometry::{Face, TriMesh, Zone};
 use crate::monitor::Stage;
 use crate::post::{self, Program};
 use crate::posture::Rule;
-#[cfg(feature = "flow")]
-use crate::strategy::Families;
 use crate::strategy::{self, LOOK, Linked, Outline, Planned, RasterError, RasterOptions, Refuge};
 use crate::toolpath::{ClPoint, Pass, Posture, Touch};
 use crate::verify::{self, Histogram, Options, Samples, Verification};
@@ -214,11 +210,7 @@ fn on_face(
         }
         #[cfg(feature = "flow")]
         &StrategySpec::Flow { families, order, .. } => {
-            let families = match families {
-                FamiliesSpec::One => Families::One,
-                FamiliesSpec::Several => Families::Several,
-            };
-            strategy::flow(face, tool, families, rule, finish, order.into(), &passing)?
+            strategy::flow(face, tool, families.into(), rule, finish, order.into(), &passing)?
         }
         #[cfg(feature = "flow")]
         &StrategySpec::PotentialField { least_efficiency_percent, order, .. } => {

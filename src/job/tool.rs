@@ -43,6 +43,16 @@ impl From<AlongSpec> for Along {
     }
 }
 
+#[cfg(feature = "flow")]
+impl From<super::spec::FamiliesSpec> for crate::strategy::Families {
+    fn from(families: super::spec::FamiliesSpec) -> Self {
+        match families {
+            super::spec::FamiliesSpec::One => Self::One,
+            super::spec::FamiliesSpec::Several => Self::Several,
+        }
+    }
+}
+
 impl From<OrderSpec> for Order {
     fn from(order: OrderSpec) -> Self {
         match order {

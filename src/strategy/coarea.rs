@@ -99,8 +99,8 @@ fn in_band(band: &mut [Piece]) -> f64 {
     typical.map_or(0.0, |piece| (lines * piece.rate).min(PARTIAL * fitted))
 }
 
-/// The same at every node: its share of the passes along the level lines of that function where each lies as close as its strips need,
-/// run-outs over borders included, mm.
+/// The share that every node has of the passes along the level lines of the function with `values`, where each lies as close as its
+/// strips need, run-outs over borders included, mm.
 pub(super) fn shares(grid: &FaceGrid, domain: &Domain, potential: &Potential, values: &[f64]) -> Vec<f64> {
     let mut shares = vec![0.0; values.len()];
     let turns = Turns::new(grid, potential, values);

@@ -8,7 +8,7 @@ mod bend;
 mod divide;
 mod starts;
 
-use super::coarea::expected_length;
+use super::coarea::{expected_length, shares};
 use super::constant_scallop::{self, offset_lines, offset_passes, seed};
 use super::family::{Family, Laid};
 use super::follow::{Part, followed};
@@ -221,7 +221,9 @@ fn ways(
     if let Rule::Fixed(_) = rule {
         let mut levels = starts.levels(&proposals);
         let several = families == Families::Several;
-        let divided = several.then(|| divided(face, grid, levels.iter().chain(&streamlines).collect()));
+        let divided = several.then(|| {
+            divided((face, grid), potential, &levels.iter().chain(&streamlines).collect::<Vec<_>>())
+        });
         let divided = divided.flatten().map(|way| Rated { way, is_spare: false });
         shortest_first(&mut levels);
         shortest_first(&mut streamlines);
@@ -242,13 +244,14 @@ fn ways(
 }
 
 /// Several families that divide the face, where that saves enough.
-fn divided(face: &Face, grid: &FaceGrid, starts: Vec<&Start>) -> Option<Way> {
+fn divided((face, grid): (&Face, &FaceGrid), potential: &Potential, starts: &[&Start]) -> Option<Way> {
     let domain = face.domain();
     // Over a seam neighbours are not looked for.
     if domain.u.periodic || domain.v.periodic {
         return None;
     }
-    let shares: Vec<&[f64]> = starts.iter().map(|start| start.shares.as_slice()).collect();
+    let shares: Vec<Vec<f64>> =
+        starts.iter().map(|start| shares(grid, &domain, potential, &start.offset)).collect();
     let division = divide::divided(grid, &shares)?;
     let lines = division.families.iter().map(|&k| starts[k].line.clone());
     let regions = Region::all(grid.clone(), division.labels, division.families.len());
@@ -273,10 +276,9 @@ fn rated(mut ways: Vec<(f64, Way)>, worse: f64) -> Vec<Rated> {
 
 /// The functions worth laying: the best of each kind.
 fn proposals(face: &Face, grid: &FaceGrid, potential: &Potential) -> Vec<Proposal> {
-    let (nu, domain) = (grid.size().0, face.domain());
+    let domain = face.domain();
     let proposal = |fields: (Field, Field)| {
-        let points = grid.points().iter().enumerate();
-        let values: Vec<f64> = points.map(|(k, p)| fields.0.value(grid.uv(k % nu, k / nu), *p)).collect();
+        let values = fields.0.at_nodes(grid);
         let expected = expected_length(grid, &domain, potential, &values);
         Proposal { fields, values, expected }
     };

@@ -8,7 +8,7 @@ use super::potential::Potential;
 use super::streamlines::Streamlines;
 use super::{Finish, iso_parametric, iso_planar};
 use crate::cutter::Cutter;
-use crate::geometry::{Along, Face, FaceGrid, Field};
+use crate::geometry::{Along, Face, FaceGrid};
 use crate::monitor::{Cancelled, Stage};
 use crate::posture::Rule;
 use glam::DVec3;
@@ -42,18 +42,18 @@ impl<'a> Promises<'a> {
 
     /// Of [`super::iso_parametric`].
     pub fn iso_parametric(&self, along: Along) -> f64 {
-        self.lines(&self.values(&iso_parametric::fields(along).0))
+        self.lines(&iso_parametric::fields(along).0.at_nodes(&self.grid))
     }
 
     /// Of [`super::iso_planar`].
     pub fn iso_planar(&self, angle: f64) -> f64 {
-        self.lines(&self.values(&iso_planar::fields(mean_normal(self.face), angle).0))
+        self.lines(&iso_planar::fields(mean_normal(self.face), angle).0.at_nodes(&self.grid))
     }
 
     /// Of [`super::constant_scallop`]; `None` from a start that it refuses.
     pub fn constant_scallop(&self, start: &Start) -> Option<f64> {
         let (field, level, _) = seed(self.face, start, self.flat).ok()?;
-        let values = self.values(&field);
+        let values = field.at_nodes(&self.grid);
         let lines = self.lines(&values);
         Some(self.offset(&values, level).map_or(lines, |offset| offset.min(lines)))
     }
@@ -66,12 +66,6 @@ impl<'a> Promises<'a> {
             let away = away_from(self.face, &self.grid, &points).ok()?;
             self.offset(&away, 0.0)
         })
-    }
-
-    fn values(&self, field: &Field) -> Vec<f64> {
-        let nu = self.grid.size().0;
-        let points = self.grid.points().iter().enumerate();
-        points.map(|(k, p)| field.value(self.grid.uv(k % nu, k / nu), *p)).collect()
     }
 
     fn lines(&self, values: &[f64]) -> f64 {

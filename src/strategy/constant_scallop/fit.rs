@@ -63,8 +63,7 @@ impl<'a> Fit<'a> {
     pub(super) fn mended(&self, stage: &Stage) -> Result<Table, Cancelled> {
         let count = self.offset.grid.points().len();
         let field = &self.setup.field;
-        let values: Vec<f64> =
-            (0..count).map(|k| field.value(self.offset.uv(k), self.offset.grid.points()[k])).collect();
+        let values = self.offset.values(field);
         let widths = stage.quiet().map(count, |k| {
             self.width(k).unwrap_or_else(|| {
                 let uv = self.offset.uv(k);

@@ -83,7 +83,7 @@ impl Offset {
 
     /// `field` at the nodes.
     pub(super) fn values(&self, field: &Field) -> Vec<f64> {
-        self.grid.points().iter().enumerate().map(|(k, p)| field.value(self.uv(k), *p)).collect()
+        field.at_nodes(&self.grid)
     }
 
     pub(super) fn uv(&self, node: usize) -> Uv {

@@ -25,7 +25,7 @@ pub(super) struct Division {
 
 /// The division of the nodes of `grid` between functions with these shares of the passes at them, [`crate::strategy::coarea::shares`];
 /// `None` where one function alone is as good.
-pub(super) fn divided(grid: &FaceGrid, shares: &[&[f64]]) -> Option<Division> {
+pub(super) fn divided(grid: &FaceGrid, shares: &[Vec<f64>]) -> Option<Division> {
     let total = |k: usize| shares[k].iter().sum::<f64>();
     let first = (0..shares.len()).min_by(|a, b| total(*a).total_cmp(&total(*b)))?;
     let even: Vec<Vec<Vec<f64>>> =
@@ -136,7 +136,7 @@ mod tests {
         let [left, right] = [true, false]
             .map(|is_left| shares(&grid, move |p| if (p.x < 20.25) == is_left { 1.0 } else { 1.5 }));
         let even = shares(&grid, |_| 1.2);
-        let found = divided(&grid, &[&even, &left, &right]).unwrap();
+        let found = divided(&grid, &[even, left, right]).unwrap();
         let nodes = grid.points().len() as f64;
         assert!((found.expected - (nodes + MEETING * STAIRS * 20.0)).abs() < 0.5, "{}", found.expected);
         for (p, &label) in grid.points().iter().zip(&found.labels) {
@@ -156,7 +156,7 @@ mod tests {
         let grid = grid();
         // Better on a spot of 2 × 2 mm, by as much as meeting round it costs.
         let spot = shares(&grid, |p| if p.distance(DVec3::new(20.0, 10.0, 0.0)) < 1.2 { 0.4 } else { 1.5 });
-        assert!(divided(&grid, &[&shares(&grid, |_| 1.0), &spot]).is_none());
-        assert!(divided(&grid, &[&spot]).is_none());
+        assert!(divided(&grid, &[shares(&grid, |_| 1.0), spot.clone()]).is_none());
+        assert!(divided(&grid, &[spot]).is_none());
     }
 }

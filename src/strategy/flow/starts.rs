@@ -3,7 +3,7 @@
 use super::Proposal;
 use crate::geometry::{Face, FaceGrid, Field};
 use crate::monitor::{Cancelled, Stage};
-use crate::strategy::coarea::{expected_length, shares};
+use crate::strategy::coarea::expected_length;
 use crate::strategy::constant_scallop::away_from;
 use crate::strategy::edge_to_edge::offset;
 use crate::strategy::potential::Potential;
@@ -27,8 +27,8 @@ pub(super) struct Start {
     pub(super) line: Line,
     /// How long they should be, mm.
     pub(super) expected: f64,
-    /// How much of that falls to each node of the grid, where they lie as close as their strips need.
-    pub(super) shares: Vec<f64>,
+    /// At the nodes of the grid, the function whose level lines they are.
+    pub(super) offset: Vec<f64>,
 }
 
 /// A face on which lines to start from are looked for.
@@ -79,6 +79,6 @@ impl Starts<'_> {
         let (grid, domain, potential) = (self.grid, self.face.domain(), self.potential);
         let offset = offset((grid, &domain), potential, values, level)?;
         let expected = expected_length(grid, &domain, potential, &offset);
-        Some(Start { line, expected, shares: shares(grid, &domain, potential, &offset) })
+        Some(Start { line, expected, offset })
     }
 }
