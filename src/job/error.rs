@@ -63,6 +63,7 @@ impl From<StrategyError> for JobError {
     fn from(error: StrategyError) -> Self {
         match error {
             StrategyError::Cancelled(cancelled) => Self::Cancelled(cancelled),
+            #[cfg(feature = "flow")]
             StrategyError::Start(wrong) => Self::field("strategy.start_points_mm", wrong.to_string()),
             other => Self::Strategy(other.to_string()),
         }

@@ -65,7 +65,7 @@ pub struct Variant {
 }
 
 /// Strategies that the page's first module only names: whoever chooses one of them loads the second.
-pub(super) const SECOND: [&str; 3] = ["flow", "potential_field", "auto"];
+pub(super) const SECOND: [&str; 4] = ["constant_scallop", "flow", "potential_field", "auto"];
 
 /// One object of the specification.
 #[derive(Debug, Clone, Copy)]

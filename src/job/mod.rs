@@ -19,6 +19,8 @@ mod run;
 mod schema;
 mod shape;
 mod spec;
+#[cfg(feature = "flow")]
+mod start;
 mod stepover;
 #[cfg(feature = "study")]
 pub mod study;
@@ -42,10 +44,12 @@ pub use schema::schema;
 pub use shape::Shape;
 pub use spec::{
     AlongSpec, CutterSpec, FeedSpec, FixtureSpec, HolderSpec, LinkSpec, OrderSpec, RuleSpec, SideSpec,
-    SourceSpec, Spec, StartSpec, StrategySpec, ToleranceSpec, VERSION, VerifySpec,
+    SourceSpec, Spec, StrategySpec, ToleranceSpec, VERSION, VerifySpec,
 };
 #[cfg(feature = "flow")]
 pub use spec::{FamiliesSpec, ObjectiveSpec};
+#[cfg(feature = "flow")]
+pub use start::StartSpec;
 pub use stepover::{Placement, StepoverChart, StepoverCurves, stepover_chart};
 pub use tool::outline;
 pub use two_passes::{TwoPasses, cut_two_passes};

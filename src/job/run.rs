@@ -204,6 +204,7 @@ fn on_face(
             let angle = angle_deg.to_radians();
             strategy::iso_planar(face, tool, angle, rule, finish, order.into(), &passing)?
         }
+        #[cfg(feature = "flow")]
         StrategySpec::ConstantScallop { start, start_percent, start_points_mm, angle_deg, order, .. } => {
             let start = start.start(*start_percent, *angle_deg, start_points_mm);
             strategy::constant_scallop(face, tool, &start, rule, finish, (*order).into(), &passing)?
@@ -340,10 +341,12 @@ impl StrategySpec {
         match *self {
             Self::IsoParametric { order, .. }
             | Self::IsoPlanar { order, .. }
-            | Self::ConstantScallop { order, .. }
             | Self::Raster { order, .. } => order,
             #[cfg(feature = "flow")]
-            Self::Flow { order, .. } | Self::PotentialField { order, .. } | Self::Auto { order, .. } => order,
+            Self::ConstantScallop { order, .. }
+            | Self::Flow { order, .. }
+            | Self::PotentialField { order, .. }
+            | Self::Auto { order, .. } => order,
         }
     }
 
@@ -352,6 +355,7 @@ impl StrategySpec {
         match self {
             Self::IsoParametric { .. } => "iso_parametric",
             Self::IsoPlanar { .. } => "iso_planar",
+            #[cfg(feature = "flow")]
             Self::ConstantScallop { .. } => "constant_scallop",
             #[cfg(feature = "flow")]
             Self::Flow { .. } => "flow",

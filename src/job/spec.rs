@@ -2,6 +2,8 @@
 
 use super::error::JobError;
 use super::fields::GROUPS;
+#[cfg(feature = "flow")]
+use super::start::StartSpec;
 use super::{kinds, schema};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
@@ -228,6 +230,7 @@ macro_rules! strategies {
 strategies! {
     IsoParametric { along: AlongSpec }
     IsoPlanar { angle_deg: f64 }
+    #[cfg(feature = "flow")]
     ConstantScallop { start: StartSpec, start_percent: f64, start_points_mm: Vec<[f64; 3]>, angle_deg: f64 }
     #[cfg(feature = "flow")]
     Flow { families: FamiliesSpec }
@@ -276,22 +279,6 @@ pub enum RuleSpec {
     Matched,
     Widest,
     TwoContacts,
-}
-
-/// The curve that passes are offset from: a border, a line of that parameter, a plane section, or one
-/// through given points.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-#[expect(missing_docs, reason = "the names say it")]
-pub enum StartSpec {
-    ULow,
-    UHigh,
-    VLow,
-    VHigh,
-    ULine,
-    VLine,
-    Section,
-    Curve,
 }
 
 /// Whether passes go one way or to and fro; one way also with what is uncut always on the right of the feed (climb, for a spindle that

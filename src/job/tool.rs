@@ -1,13 +1,11 @@
 //! From a specification's settings to the core's own types.
 
 use super::error::JobError;
-use super::spec::{
-    AlongSpec, CutterSpec, FixtureSpec, HolderSpec, OrderSpec, RuleSpec, Spec, StartSpec, StrategySpec,
-};
+use super::spec::{AlongSpec, CutterSpec, FixtureSpec, HolderSpec, OrderSpec, RuleSpec, Spec, StrategySpec};
 use crate::cutter::{Cutter, CutterError, Holder};
 use crate::geometry::Along;
 use crate::posture::{Limits, Rule};
-use crate::strategy::{Finish, Linking, Order, Side, Start};
+use crate::strategy::{Finish, Linking, Order, Side};
 use crate::toolpath::Posture;
 
 impl CutterSpec {
@@ -105,6 +103,7 @@ impl StrategySpec {
         let (rule, [lead, yaw], [least_lead, most_lead, most_yaw], turn) = leaning!(
             IsoParametric,
             IsoPlanar,
+            #[cfg(feature = "flow")]
             ConstantScallop,
             #[cfg(feature = "flow")]
             Flow,
@@ -132,23 +131,6 @@ impl StrategySpec {
             ..Limits::default()
         };
         Ok(Some(by(limits)))
-    }
-}
-
-impl StartSpec {
-    /// The curve: `percent` tells which line of a parameter, `angle_deg` which section, `points` what it runs through.
-    pub(super) fn start(self, percent: f64, angle_deg: f64, points: &[[f64; 3]]) -> Start {
-        let line = |along, at| Start::Line { along, at };
-        match self {
-            Self::ULow => line(Along::V, 0.0),
-            Self::UHigh => line(Along::V, 1.0),
-            Self::VLow => line(Along::U, 0.0),
-            Self::VHigh => line(Along::U, 1.0),
-            Self::ULine => line(Along::V, 0.01 * percent),
-            Self::VLine => line(Along::U, 0.01 * percent),
-            Self::Section => Start::Section(angle_deg.to_radians()),
-            Self::Curve => Start::Curve(points.iter().map(|&point| point.into()).collect()),
-        }
     }
 }
 

@@ -154,7 +154,6 @@ pub(super) fn offset_lines<'a>(
 }
 
 /// At the nodes of `grid`, how far places are from the curve through `points` (mm), with another sign on either side.
-#[cfg(feature = "flow")]
 pub(super) fn away_from(
     face: &Face,
     grid: &crate::geometry::FaceGrid,

@@ -38,6 +38,7 @@ pub(super) struct Candidate {
 /// Passes that were laid.
 pub(super) struct Laid {
     /// The version of the rule by which the axis leans.
+    #[cfg(feature = "flow")]
     pub(super) rule: Rule,
     pub(super) planned: Planned,
     /// Whether they leave nothing above the limit wherever that was looked at.
@@ -96,6 +97,7 @@ impl<'a> Family<'a> {
         Self { setup, lines, levels, nominal, column_period, order }
     }
 
+    #[cfg(feature = "flow")]
     /// Takes another field, given on the grid of its lines with these values.
     pub(super) fn set_table(&mut self, field: Field, values: &[f64]) {
         self.setup.field = field.clone();
@@ -104,6 +106,7 @@ impl<'a> Family<'a> {
         self.levels = Range::open(low, high);
     }
 
+    #[cfg(feature = "flow")]
     /// `candidate` as its strips reach in levels of the field that is set now.
     pub(super) fn relevelled(&self, candidate: &Candidate) -> Candidate {
         let mut changed = candidate.clone();
@@ -169,7 +172,12 @@ impl<'a> Family<'a> {
             }
             let (planned, is_whole) =
                 followed(&[Part::whole(family, tracks)], &[], &part("Following the surface", 0.7, 1.0))?;
-            let laid = Laid { rule, planned, is_whole };
+            let laid = Laid {
+                #[cfg(feature = "flow")]
+                rule,
+                planned,
+                is_whole,
+            };
             if best.is_none_or(|best| laid.is_better(best)) {
                 found = Some(laid);
             }

@@ -1,5 +1,6 @@
 //! What every strategy is asked for, and what it gives.
 
+#[cfg(feature = "flow")]
 use super::StartError;
 use crate::geometry::Zone;
 use crate::monitor::Cancelled;
@@ -71,6 +72,7 @@ pub enum StrategyError {
     #[error("no line along the widest strips divides this surface: passes offset from a border may do")]
     NoInitialPath,
     /// Passes cannot be offset from the start curve that was given.
+    #[cfg(feature = "flow")]
     #[error("the start curve {0}")]
     Start(#[from] StartError),
     /// More passes than any machine would run.

@@ -2,6 +2,7 @@
 
 #[cfg(feature = "flow")]
 mod coarea;
+#[cfg(feature = "flow")]
 mod constant_scallop;
 mod corner;
 #[cfg(feature = "flow")]
@@ -42,6 +43,7 @@ mod trim;
 mod unreached;
 mod walk;
 
+#[cfg(feature = "flow")]
 pub use constant_scallop::{Start, StartError, constant_scallop};
 pub use finish::{Finish, Order, Planned, StrategyError};
 #[cfg(feature = "flow")]

@@ -1,6 +1,8 @@
 //! Everything that decides what the cutter does along a family of level lines, put together.
 
-use super::probe::{GOUGE, Probe, Reach, Setup, contact_frame};
+use super::probe::{GOUGE, Setup, contact_frame};
+#[cfg(feature = "flow")]
+use super::probe::{Probe, Reach};
 use super::{Finish, Order};
 use crate::contact::FaceObstacle;
 use crate::cutter::{Cutter, Tool};
@@ -41,6 +43,7 @@ impl<'a> Setup<'a> {
         Ok(())
     }
 
+    #[cfg(feature = "flow")]
     /// Takes the levels that a strip reaches to from the field that it has now.
     pub(super) fn relevel(&self, probe: &mut Probe) {
         let Probe::Strip { up, down } = probe else { return };
