@@ -6,6 +6,7 @@
 
 mod crest;
 mod curve;
+mod even;
 mod fit;
 mod march;
 mod offset;
@@ -24,6 +25,7 @@ use crate::monitor::Stage;
 use crate::posture::Rule;
 use crate::toolpath::Posture;
 pub use curve::StartError;
+pub(super) use even::passes as evened_passes;
 use fit::Fit;
 use glam::DVec3;
 use march::March;
@@ -62,6 +64,17 @@ const CHOSEN: f64 = 0.2;
 /// Rounds in which the spacing is measured and mended.
 const ROUNDS: usize = 4;
 
+/// A way to lay passes offset from the line of a field, no longer than so many mm.
+type OffsetPasses = fn(
+    (&Face, &Tool),
+    &(Field, f64, Field),
+    &Rule,
+    Finish,
+    Order,
+    f64,
+    &Stage,
+) -> Result<Option<Laid>, StrategyError>;
+
 /// Passes of `face` offset from `start` to both sides, edge to edge, the axis leaning by `rule`.
 ///
 /// Passes that the border cuts off go on as pieces, fronts that meet end on one another, and where a pass would leave more
@@ -69,7 +82,8 @@ const ROUNDS: usize = 4;
 /// run round to both sides, the start curve between the first two passes, and meet.
 ///
 /// Strips can be of such different widths that passes offset from one another bend more than they gain: where passes along
-/// the level lines that the start curve is one of come out shorter, or the others leave something, it is those.
+/// the level lines that the start curve is one of come out shorter, or the others leave something, it is those. Where postures are
+/// chosen it may be passes whose strips' widths are evened out, too.
 pub fn constant_scallop(
     face: &Face,
     tool: &Tool,
@@ -84,18 +98,26 @@ pub fn constant_scallop(
     // The level lines of a distance are what is offset already, and a curve that was given is to be the first pass.
     if matches!((start, rule), (Start::Curve(_), Rule::Fixed(_))) {
         let even = offset_passes((face, tool), &seed, &rule, finish, order, f64::INFINITY, stage)?;
-        return even.map(|(even, _)| even).ok_or_else(too_many);
+        return even.map(|even| even.planned).ok_or_else(too_many);
     }
     let (from, _, column) = seed.clone();
-    let plain = stage.part(PLACE, 0.0, 0.2);
-    let plain = Family::shortest((face, tool), &rule, finish, (from, column), order, &plain)?;
-    let (rest, most) = (stage.part(SOLVE, 0.2, 1.0), plain.planned.length());
-    let even = offset_passes((face, tool), &seed, &plain.rule, finish, order, most, &rest)?;
-    let even = even.map(|(planned, is_whole)| Laid { planned, is_whole, ..plain });
-    Ok(even.filter(|even| even.is_better(&plain)).unwrap_or(plain).planned)
+    let (part, rest) = ((face, tool), stage.part(SOLVE, 0.2, 1.0));
+    let laying = stage.part(PLACE, 0.0, 0.2);
+    let mut best = Family::shortest(part, &rule, finish, (from, column), order, &laying)?;
+    let mut ways: Vec<OffsetPasses> = vec![offset_passes];
+    if !matches!(rule, Rule::Fixed(_)) {
+        ways.insert(0, evened_passes);
+    }
+    for (k, passes) in ways.iter().enumerate() {
+        let at = |k: usize| k as f64 / ways.len() as f64;
+        let (most, stage) = (best.planned.length(), rest.part(SOLVE, at(k), at(k + 1)));
+        let laid = passes(part, &seed, &best.rule, finish, order, most, &stage)?;
+        best = laid.filter(|laid| laid.is_better(&best)).unwrap_or(best);
+    }
+    Ok(best.planned)
 }
 
-/// The passes, and whether they leave nothing; none where they come out longer than `most` (mm).
+/// The passes edge to edge; none where they come out longer than `most` (mm).
 pub(super) fn offset_passes(
     part: (&Face, &Tool),
     seed: &(Field, f64, Field),
@@ -104,14 +126,16 @@ pub(super) fn offset_passes(
     order: Order,
     most: f64,
     stage: &Stage,
-) -> Result<Option<(Planned, bool)>, StrategyError> {
+) -> Result<Option<Laid>, StrategyError> {
     let spacing = stage.part(PLACE, 0.0, 0.75);
     let (lines, crests) = offset_lines(part, seed, rule, finish, order, &|_, _| true, &spacing)?;
     let tracks = lines.tracks.iter().flat_map(|track| &track.lines);
     if tracks.map(|line| line.length(part.0)).sum::<f64>() > most {
         return Ok(None);
     }
-    followed(&[lines], &crests, &stage.part("Following the surface", 0.75, 1.0)).map(Some)
+    let following = stage.part("Following the surface", 0.75, 1.0);
+    let (planned, is_whole) = followed(&[lines], &crests, &following)?;
+    Ok(Some(Laid { rule: *rule, planned, is_whole }))
 }
 
 /// The lines offset edge to edge from that of `seed`, to either side as long as each `goes_on`; and where they bend much or fronts meet.

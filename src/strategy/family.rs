@@ -186,7 +186,7 @@ impl<'a> Family<'a> {
     }
 
     /// How long the lines of `tracks` are, mm.
-    fn length(&self, tracks: &[Candidate]) -> f64 {
+    pub(super) fn length(&self, tracks: &[Candidate]) -> f64 {
         tracks.iter().flat_map(|track| &track.lines).map(|line| line.length(self.setup.face)).sum()
     }
 

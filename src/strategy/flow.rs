@@ -9,7 +9,7 @@ mod divide;
 mod starts;
 
 use super::coarea::{expected_length, shares};
-use super::constant_scallop::{self, offset_lines, offset_passes, seed};
+use super::constant_scallop::{self, evened_passes, offset_lines, offset_passes, seed};
 use super::family::{Family, Laid};
 use super::follow::{Part, followed};
 use super::iso_planar::{self, mean_normal};
@@ -19,7 +19,7 @@ use super::potential::Potential;
 use super::region::Region;
 use super::{Finish, Order, Planned, StrategyError};
 use crate::cutter::Tool;
-use crate::geometry::{Face, FaceGrid, Field, Table};
+use crate::geometry::{Domain, Face, FaceGrid, Field, Table};
 use crate::math::order::{rank, sort_by_key};
 use crate::monitor::{Cancelled, Stage};
 use crate::posture::Rule;
@@ -74,6 +74,16 @@ struct Rated {
 }
 
 impl Proposal {
+    /// The border that its lines begin at, where they are a parameter's.
+    fn border(&self, domain: &Domain) -> Option<Line> {
+        let range = match self.fields.0 {
+            Field::U => domain.u,
+            Field::V => domain.v,
+            Field::Along(_) | Field::Given(_) => return None,
+        };
+        (!range.periodic).then(|| Line::Level { fields: self.fields.clone(), level: range.lo })
+    }
+
     fn way(self) -> (f64, Way) {
         (self.expected, Way::Levels(self.fields.0, self.fields.1))
     }
@@ -163,8 +173,8 @@ impl Planner<'_> {
             let most = best.filter(|best| best.is_whole).map_or(f64::INFINITY, |best| best.planned.length());
             let at = |k: usize| k as f64 / rules.len() as f64;
             let spacing = stage.part("Spacing passes", at(k), at(k + 1));
-            let offset = offset_passes(part, &seed, &rule, finish, order, most, &spacing)?;
-            let laid = offset.map(|(planned, is_whole)| Laid { planned, is_whole, rule });
+            let passes = if matches!(rule, Rule::Fixed(_)) { offset_passes } else { evened_passes };
+            let laid = passes(part, &seed, &rule, finish, order, most, &spacing)?;
             found = laid.filter(|laid| best.is_none_or(|best| laid.is_better(best))).or(found);
         }
         Ok(found)
@@ -234,9 +244,14 @@ fn ways(
         return Ok(divided.into_iter().chain(rated(ways, WORSE[0])).collect());
     }
     shortest_first(&mut streamlines);
-    let mut ways: Vec<(f64, Way)> = proposals.into_iter().map(Proposal::way).collect();
+    let shortest = proposals.iter().map(|way| way.expected).fold(f64::INFINITY, f64::min);
+    let borders: Vec<(f64, Way)> = proposals
+        .iter()
+        .filter(|way| way.expected < WORSE[1] * shortest)
+        .filter_map(|way| Some((way.expected, Way::From(way.border(&face.domain())?))))
+        .collect();
+    let mut ways: Vec<(f64, Way)> = proposals.into_iter().map(Proposal::way).chain(borders).collect();
     // What is offset from a line bends more, and postures that are chosen keep up with that less.
-    let shortest = ways.iter().map(|way| way.0).fold(f64::INFINITY, f64::min);
     streamlines.retain(|start| start.expected < BENDS * shortest);
     ways.extend(lines(streamlines, 1));
     let worse = if matches!(rule, Rule::Widest(_)) { f64::INFINITY } else { WORSE[1] };

@@ -122,9 +122,14 @@ impl Family<'_> {
     fn spots(&self, left: &[Look], near: f64) -> Vec<Vec<(Uv, DVec3)>> {
         let places: Vec<(Uv, DVec3)> =
             left.iter().map(|look| (look.uv, self.setup.face.surface.point(look.uv))).collect();
-        // Only what lies so near along x can.
-        let mut by_x: Vec<usize> = (0..places.len()).collect();
-        sort_by_key(&mut by_x, |&k| (rank(places[k].1.x), 0));
+        // Only what lies so near along an axis can, least of all along the one on which they are spread most.
+        let (low, high) = places
+            .iter()
+            .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), (_, p)| (low.min(*p), high.max(*p)));
+        let axis = (high - low).max_position();
+        let along = |k: usize| places[k].1[axis];
+        let mut in_order: Vec<usize> = (0..places.len()).collect();
+        sort_by_key(&mut in_order, |&k| (rank(along(k)), 0));
         let mut is_taken = vec![false; places.len()];
         let mut spots = Vec::new();
         for first in (0..places.len()).rev() {
@@ -135,8 +140,8 @@ impl Family<'_> {
             let mut spot = vec![places[first]];
             let mut next = 0;
             while let Some(&(_, here)) = spot.get(next) {
-                let from = by_x.partition_point(|&k| places[k].1.x < here.x - near);
-                for &k in by_x[from..].iter().take_while(|&&k| places[k].1.x <= here.x + near) {
+                let from = in_order.partition_point(|&k| along(k) < here[axis] - near);
+                for &k in in_order[from..].iter().take_while(|&&k| along(k) <= here[axis] + near) {
                     if !is_taken[k] && places[k].1.distance_squared(here) < near * near {
                         is_taken[k] = true;
                         spot.push(places[k]);

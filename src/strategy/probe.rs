@@ -10,7 +10,7 @@ use crate::toolpath::{Bound, CcPoint, ClPoint, Station, Work};
 use glam::DVec3;
 
 /// Everything that decides what the cutter does at a point of a family of level lines.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Setup<'a> {
     pub(super) face: &'a Face,
     pub(super) obstacle: FaceObstacle,

@@ -45,6 +45,16 @@ pub(super) fn grid(face: &Face, flat: f64) -> FaceGrid {
     FaceGrid::new(face, CELL * flat, LEAST, MOST)
 }
 
+/// The period of `from`, if it is a parameter of `face` that has one: then fronts run round to both sides and meet.
+pub(super) fn period(face: &Face, from: &Field) -> Option<f64> {
+    let domain = face.domain();
+    match from {
+        Field::U if domain.u.periodic => Some(domain.u.length()),
+        Field::V if domain.v.periodic => Some(domain.v.length()),
+        _ => None,
+    }
+}
+
 impl Offset {
     /// For the start curve at `level` of `from`.
     pub(super) fn new(setup: &Setup, from: &Field, level: f64) -> Self {
@@ -55,11 +65,7 @@ impl Offset {
         let uv = |k: usize| grid.uv(k % nu, k / nu);
         let points = grid.points().iter().enumerate();
         // Across a period there are two ways from one place to another: the shorter counts.
-        let period = match from {
-            Field::U if domain.u.periodic => Some(domain.u.length()),
-            Field::V if domain.v.periodic => Some(domain.v.length()),
-            _ => None,
-        };
+        let period = period(face, from);
         let shorter = |x: f64| period.map_or(x, |p| x - (x / p).round() * p);
         let away: Vec<f64> = points.map(|(k, p)| shorter(from.value(uv(k), *p) - level)).collect();
         let fronts = Fronts::new(&domain, &grid);
@@ -99,15 +105,19 @@ impl Offset {
         let mut table = Table::new(self.domain, &self.grid, &self.sides);
         for _ in 0..AGREE {
             let slowness = stage.quiet().map(count, |k| 1.0 / self.width(setup, k, &direction))?;
-            let seeds: Vec<(usize, f64)> = self.near.iter().map(|&(k, d)| (k, d * slowness[k])).collect();
-            let times = fronts.times(&seeds, &slowness);
-            let longest = times.iter().copied().filter(|t| t.is_finite()).fold(0.0, f64::max);
-            let signed: Vec<f64> =
-                times.iter().zip(&self.sides).map(|(t, side)| t.min(longest) * side).collect();
-            table = Table::new(self.domain, &self.grid, &signed);
+            table = self.arrivals(&fronts, &slowness);
             direction = Field::Given(Arc::new(table.clone()));
         }
         Ok(table)
+    }
+
+    /// When a front of this slowness at the nodes (strips per mm), which leaves the start curve, arrives; below 0 on its one side.
+    pub(super) fn arrivals(&self, fronts: &Fronts, slowness: &[f64]) -> Table {
+        let seeds: Vec<(usize, f64)> = self.near.iter().map(|&(k, d)| (k, d * slowness[k])).collect();
+        let times = fronts.times(&seeds, slowness);
+        let longest = times.iter().copied().filter(|t| t.is_finite()).fold(0.0, f64::max);
+        let signed: Vec<f64> = times.iter().zip(&self.sides).map(|(t, side)| t.min(longest) * side).collect();
+        Table::new(self.domain, &self.grid, &signed)
     }
 
     /// About how wide the strip at a node is, mm, for a feed along the level line of `direction`.
