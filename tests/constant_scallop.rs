@@ -143,8 +143,19 @@ fn chosen_postures_are_offset_too() {
 #[test]
 fn any_number_of_workers_writes_the_same_bytes() {
     let mut job: Value = serde_json::from_str(&job::gallery()[0].spec.to_json()).unwrap();
-    job["strategy"] = json!({"kind": "constant_scallop", "start": "section", "angle_deg": 20});
-    let (spec, alone) = planned(&job);
-    let many = job::plan(&spec, None, &Stage::whole(&Silent, NonZeroUsize::new(3).unwrap())).unwrap();
-    assert!(alone.apt == many.apt && alone.csv == many.csv);
+    let [section, evened] = [
+        json!({"kind": "constant_scallop", "start": "section", "angle_deg": 20}),
+        json!({"kind": "constant_scallop", "start": "u_high", "rule": "matched"}),
+    ];
+    let mut net = job.clone();
+    net["source"] = json!({
+        "kind": "nurbs", "degrees": [2, 2], "knots_u": [0, 0, 0, 1, 1, 1], "knots_v": [0, 0, 0, 1, 1, 1],
+        "points_mm": [[0, 0, 0], [0, 12, 5], [0, 25, 0], [12, 0, 5], [12, 12, 12], [12, 25, 5], [25, 0, 0], [25, 12, 5], [25, 25, 0]],
+    });
+    (job["strategy"], net["strategy"]) = (section, evened);
+    for job in [job, net] {
+        let (spec, alone) = planned(&job);
+        let many = job::plan(&spec, None, &Stage::whole(&Silent, NonZeroUsize::new(3).unwrap())).unwrap();
+        assert!(alone.apt == many.apt && alone.csv == many.csv);
+    }
 }

@@ -110,9 +110,14 @@ pub fn constant_scallop(
     }
     for (k, passes) in ways.iter().enumerate() {
         let at = |k: usize| k as f64 / ways.len() as f64;
-        let (most, stage) = (best.planned.length(), rest.part(SOLVE, at(k), at(k + 1)));
-        let laid = passes(part, &seed, &best.rule, finish, order, most, &stage)?;
-        best = laid.filter(|laid| laid.is_better(&best)).unwrap_or(best);
+        let most = if best.is_whole { best.planned.length() } else { f64::INFINITY };
+        let laying = rest.part(SOLVE, at(k), at(k + 1));
+        match passes(part, &seed, &best.rule, finish, order, most, &laying) {
+            Ok(laid) => best = laid.filter(|laid| laid.is_better(&best)).unwrap_or(best),
+            Err(StrategyError::Cancelled(cancelled)) => return Err(cancelled.into()),
+            // There are passes already.
+            Err(_) => {}
+        }
     }
     Ok(best.planned)
 }

@@ -1,7 +1,7 @@
 //! Passes that follow the widest strips: along the level lines of whichever function of many makes them shortest.
 //!
-//! Lines of one parameter, parallel sections, functions bent towards the directions of the widest strips, and passes offset edge to
-//! edge from lines of those and from lines along the widest strips, one family all over the face or several that divide it, are compared
+//! Lines of one parameter, parallel sections, functions bent towards the directions of the widest strips, and passes offset from
+//! lines of those and from lines along the widest strips (edge to edge, or by widths evened out where postures are chosen), one family all over the face or several that divide it, are compared
 //! by how long they would be ([`super::coarea`]) before any is laid. The best few are laid, and the shortest is taken.
 
 mod bend;
@@ -40,7 +40,7 @@ const WORSE: [f64; 2] = [1.05, 1.3];
 const MOST: usize = 4;
 /// Of what should be as long to this share, parameters and planes are laid first: what is expected is no more exact.
 const STRAIGHT: f64 = 0.99;
-/// Where postures are chosen, passes offset from a line must promise to be this share of any others.
+/// Where postures are chosen, passes offset from a line along the widest strips must promise to be this share of any others.
 const BENDS: f64 = 0.9;
 /// Places a side of a cell that are looked at where regions meet.
 const CLOSE: usize = 32;
@@ -245,17 +245,21 @@ fn ways(
     }
     shortest_first(&mut streamlines);
     let shortest = proposals.iter().map(|way| way.expected).fold(f64::INFINITY, f64::min);
-    let borders: Vec<(f64, Way)> = proposals
+    // Widths that are evened out tell more than what is expected: passes from borders are asked for last.
+    let borders: Vec<Rated> = proposals
         .iter()
         .filter(|way| way.expected < WORSE[1] * shortest)
-        .filter_map(|way| Some((way.expected, Way::From(way.border(&face.domain())?))))
+        .filter_map(|way| way.border(&face.domain()))
+        .map(|line| Rated { way: Way::From(line), is_spare: false })
         .collect();
-    let mut ways: Vec<(f64, Way)> = proposals.into_iter().map(Proposal::way).chain(borders).collect();
+    let mut ways: Vec<(f64, Way)> = proposals.into_iter().map(Proposal::way).collect();
     // What is offset from a line bends more, and postures that are chosen keep up with that less.
     streamlines.retain(|start| start.expected < BENDS * shortest);
     ways.extend(lines(streamlines, 1));
     let worse = if matches!(rule, Rule::Widest(_)) { f64::INFINITY } else { WORSE[1] };
-    Ok(rated(ways, worse))
+    let (spare, ways): (Vec<Rated>, Vec<Rated>) =
+        rated(ways, worse).into_iter().partition(|way| way.is_spare);
+    Ok(ways.into_iter().chain(borders).chain(spare).collect())
 }
 
 /// Several families that divide the face, where that saves enough.

@@ -1,6 +1,6 @@
 /** Programs for machines: the module that is loaded when asked for, the program, its proof, its axes, and what is wrong with a machine. */
 import { readFileSync } from 'node:fs';
-import { data, expect, number, picture, test, visit } from './harness.js';
+import { data, expect, number, picture, set, test, visit } from './harness.js';
 
 const machineFile = (name) => data(`../../examples/machines/${name}.json`);
 const playhead = (page) => page.locator('[name=at]').inputValue().then(Number);
@@ -28,6 +28,10 @@ test('a program is written, proven, played and saved', async ({ page }) => {
   expect(modules.some((url) => url.includes('machines_bg'))).toBe(true);
   await page.locator('[name="machine.file"]').selectOption('head_table_bc');
   await page.locator('[name="program.dialect"]').selectOption('fanuc_tip');
+  // The machines' module proves what the page's second one planned.
+  await set(page, 'strategy.kind', 'constant_scallop');
+  await page.locator('button[name=plan]').click();
+  await expect(page.locator('.stale')).toBeHidden({ timeout: 60_000 });
   await write(page);
 
   await expect(page.locator('.machine-verdict.good')).toBeVisible();

@@ -257,7 +257,9 @@ export function createMachine({ panel, drawing }, { onAt }) {
       await showMoment();
       set({ job: { op: 'prove', phase: '', fraction: WRITING } });
       lastMade = { outcome, made };
-      const proof = await ask('prove', [planned.spec, planned.source.bytes], WRITING, 1);
+      // What is cut does not tell how it was planned, which this module need not know.
+      const { strategy: _, ...cut } = planned.spec;
+      const proof = await ask('prove', [cut, planned.source.bytes], WRITING, 1);
       if (state.work === work) set({ kept: proof });
     } catch (error) {
       fail(error);
