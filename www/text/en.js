@@ -110,7 +110,8 @@ export default {
   'field.verify.enabled': 'Cut in simulation',
   'field.verify.spacing_mm': 'Sample spacing',
 
-  'help.strategy.start': 'Passes lie beside one another from it on: at fixed leads the first runs along it, or half a strip inside a border.',
+  'help.strategy.start':
+    'Passes are offset from it to both sides. At fixed leads the first runs along it, or half a strip inside a border.',
   'help.strategy.families':
     'Several divide the surface where strips are widest in different directions: the shortest cuts, but more links. At fixed leads.',
   'help.strategy.start_points_mm':

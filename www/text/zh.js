@@ -107,7 +107,7 @@ export default {
   'field.verify.enabled': '模拟切削',
   'field.verify.spacing_mm': '采样间距',
 
-  'help.strategy.start': '刀轨由它起依次排列：固定前倾角时第一条沿它走，或在边界内半个行宽处。',
+  'help.strategy.start': '刀轨由它向两侧偏置。固定前倾角时第一条沿它走，或在边界内半个行宽处。',
   'help.strategy.families': '多族在最宽行距方向不同处划分曲面：切削最短，但连接更多。仅用于固定前倾角。',
   'help.strategy.start_points_mm': '每行一组 x, y, z。两端延伸到边界；末尾重复第一点则为闭合曲线。',
   'help.strategy.rule': '固定、与曲面曲率匹配、取最宽行距，或匹配后抬起使凹面两侧同时接触。',
