@@ -90,9 +90,9 @@ fn main() {
     let rule = ["matched", "widest"].into_iter().find(|rule| asked.iter().any(|word| word == rule));
     let names: Vec<&String> = asked.iter().filter(|word| Some(word.as_str()) != rule).collect();
     println!(
-        "| surface | area mm² | floor mm | strategy | passes | cut mm | of floor | link mm | min | excess µm | gouge µm | holds | plan s |"
+        "| surface | area mm² | floor mm | strategy | passes | cut mm | of floor | link mm | min | excess µm | gouge µm | holds | plan s | unreached mm² |"
     );
-    println!("|---|---|---|---|---|---|---|---|---|---|---|---|---|");
+    println!("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
     for case in cases() {
         if names.is_empty() || names.iter().any(|word| case.name.contains(word.as_str())) {
             compare(&case, rule.unwrap_or(case.rule));
@@ -129,7 +129,7 @@ fn compare(case: &Case, rule: &str) {
         let report = plan.report(plan.prove(&stage).unwrap().as_ref());
         let proven = report.verified.as_ref().unwrap();
         println!(
-            "| {name} | {:.0} | {:.1} | {} | {} | {:.1} | {:.3} | {:.1} | {:.2} | {:.2} | {:.2} | {} | {seconds:.1} |",
+            "| {name} | {:.0} | {:.1} | {} | {} | {:.1} | {:.3} | {:.1} | {:.2} | {:.2} | {:.2} | {} | {seconds:.1} | {:.0} |",
             report.area_mm2,
             floor.length,
             contender.name,
@@ -141,6 +141,7 @@ fn compare(case: &Case, rule: &str) {
             1e3 * proven.largest_excess_mm.unwrap_or(f64::NAN),
             1e3 * proven.largest_gouge_mm.unwrap_or(f64::NAN),
             if job::holds(proven, spec.tolerance.scallop_mm) { "yes" } else { "no" },
+            plan.unreached().area(),
         );
     }
 }
