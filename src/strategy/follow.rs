@@ -106,21 +106,24 @@ pub(super) fn followed(
         return Err(StrategyError::FitsNowhere(why.into()));
     }
     let Family { setup, .. } = &parts[0].family;
+    let owner = |uv: Uv| match parts.len() {
+        1 => 0,
+        _ => parts.iter().position(|part| part.has(uv)).unwrap_or(0),
+    };
     // What each part cannot reach.
+    let zone = |k: usize, blocked: &[Look], stage: &Stage| {
+        let part = &parts[k];
+        unreached::zone(&part.family.setup, &part.tracks, blocked, &|uv| owner(uv) == k, stage)
+    };
     let mut zones = Vec::new();
-    for (k, part) in parts.iter().enumerate() {
-        let mapping = share("Mapping what is unreachable", 0.5, 0.65, k);
-        zones.push(unreached::zone(&part.family.setup, &part.tracks, &[], &mapping)?);
+    for k in 0..parts.len() {
+        zones.push(zone(k, &[], &share("Mapping what is unreachable", 0.5, 0.65, k))?);
     }
     let tracks = || parts.iter().flat_map(|part| &part.tracks);
     let edges = places::edges(tracks());
     let ridges: Vec<Uv> =
         edges.iter().flat_map(|&[a, b]| (0..RIDGE).map(move |k| places::between(a, b, k, RIDGE))).collect();
     let first = &parts[0].family;
-    let owner = |look: &Look| match parts.len() {
-        1 => 0,
-        _ => parts.iter().position(|part| part.has(look.uv)).unwrap_or(0),
-    };
     let (mut is_whole, mut is_trimmed) = (false, false);
     // Gleanings since passes were last cut back.
     let mut gleanings = 0;
@@ -143,16 +146,16 @@ pub(super) fn followed(
         // By their parts, where the cutter can go and where it cannot.
         let mut left: Vec<[Vec<Look>; 2]> = Vec::new();
         for (k, Part { family, .. }) in parts.iter().enumerate() {
-            let own: Vec<Look> = looks.iter().filter(|look| owner(look) == k).copied().collect();
+            let own: Vec<Look> = looks.iter().filter(|look| owner(look.uv) == k).copied().collect();
             left.push(family.left(&own, &moves, &own_share(0.2, 0.4, k))?);
         }
         is_whole = left.iter().all(|[open, _]| open.is_empty());
         let is_last = round == GLEANINGS || (is_whole && is_trimmed);
         if is_whole || is_last {
             // What no pass beside it has finished by now none will.
-            for ((zone, part), [_, blocked]) in zones.iter_mut().zip(parts).zip(&left) {
+            for (k, [_, blocked]) in left.iter().enumerate() {
                 if !blocked.is_empty() {
-                    *zone = unreached::zone(&part.family.setup, &part.tracks, blocked, &stage.quiet())?;
+                    zones[k] = zone(k, blocked, &stage.quiet())?;
                 }
             }
         }

@@ -12,7 +12,8 @@ const FINE: usize = 3;
 /// Most cells a side of the map.
 const MOST: usize = 400;
 
-/// Where the cutter cannot go around the blocked probes of `tracks` and around `others`, and a rim beside it where its strips end.
+/// Where the cutter cannot go around the blocked probes of `tracks` and around `others`, as far as the family `owns` the face, and a
+/// rim beside it where its strips end: elsewhere another family may go in its own direction.
 ///
 /// A spot that is blocked but lies between the lines, met by none of them, may be finished by the strips on either side, and
 /// is no part of the zone then.
@@ -20,9 +21,10 @@ pub(super) fn zone(
     setup: &Setup,
     tracks: &[Candidate],
     others: &[Look],
+    owns: &(dyn Fn(Uv) -> bool + Sync),
     stage: &Stage,
 ) -> Result<Zone, Cancelled> {
-    let map = Map { setup, grid: FaceGrid::new(setup.face, 0.5 * setup.strip, 24, MOST) };
+    let map = Map { setup, owns, grid: FaceGrid::new(setup.face, 0.5 * setup.strip, 24, MOST) };
     let domain = setup.face.domain();
     let blocked = tracks
         .iter()
@@ -51,12 +53,13 @@ type Place = (usize, usize);
 
 struct Map<'a> {
     setup: &'a Setup<'a>,
+    owns: &'a (dyn Fn(Uv) -> bool + Sync),
     grid: FaceGrid,
 }
 
 impl Map<'_> {
     fn is_blocked(&self, uv: Uv) -> bool {
-        self.setup.probe(uv, false) == Probe::Blocked
+        (self.owns)(uv) && self.setup.probe(uv, false) == Probe::Blocked
     }
 
     /// The `seeds` and all cells with a blocked node that hang together with them, in order.
