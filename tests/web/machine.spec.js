@@ -31,7 +31,7 @@ test('a program is written, proven, played and saved', async ({ page }) => {
   // The machines' module proves what the page's second one planned.
   await set(page, 'strategy.kind', 'constant_scallop');
   await page.locator('button[name=plan]').click();
-  await expect(page.locator('.stale')).toBeHidden({ timeout: 60_000 });
+  await expect(page.locator('.stale').first()).toBeHidden({ timeout: 60_000 });
   await write(page);
 
   await expect(page.locator('.machine-verdict.good')).toBeVisible();
