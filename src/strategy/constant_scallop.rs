@@ -104,15 +104,14 @@ pub fn constant_scallop(
     let (part, rest) = ((face, tool), stage.part(SOLVE, 0.2, 1.0));
     let laying = stage.part(PLACE, 0.0, 0.2);
     let mut best = Family::shortest(part, &rule, finish, (from, column), order, &laying)?;
-    let mut ways: Vec<OffsetPasses> = vec![offset_passes];
-    if !matches!(rule, Rule::Fixed(_)) {
-        ways.insert(0, evened_passes);
-    }
+    let ways: &[OffsetPasses] = match rule {
+        Rule::Fixed(_) => &[offset_passes],
+        _ => &[evened_passes, offset_passes],
+    };
     for (k, passes) in ways.iter().enumerate() {
         let at = |k: usize| k as f64 / ways.len() as f64;
-        let most = if best.is_whole { best.planned.length() } else { f64::INFINITY };
         let laying = rest.part(SOLVE, at(k), at(k + 1));
-        match passes(part, &seed, &best.rule, finish, order, most, &laying) {
+        match passes(part, &seed, &best.rule, finish, order, best.most(), &laying) {
             Ok(laid) => best = laid.filter(|laid| laid.is_better(&best)).unwrap_or(best),
             Err(StrategyError::Cancelled(cancelled)) => return Err(cancelled.into()),
             // There are passes already.

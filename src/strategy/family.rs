@@ -46,6 +46,11 @@ pub(super) struct Laid {
 }
 
 impl Laid {
+    /// How long other passes may be at most to be better, mm: any length where these leave something.
+    pub(super) fn most(&self) -> f64 {
+        if self.is_whole { self.planned.length() } else { f64::INFINITY }
+    }
+
     /// Whether these passes are shorter than `other`, or leave nothing and those do.
     pub(super) fn is_better(&self, other: &Self) -> bool {
         let is_shorter = self.planned.length() < other.planned.length();
@@ -97,8 +102,8 @@ impl<'a> Family<'a> {
         Self { setup, lines, levels, nominal, column_period, order }
     }
 
-    #[cfg(feature = "flow")]
     /// Takes another field, given on the grid of its lines with these values.
+    #[cfg(feature = "flow")]
     pub(super) fn set_table(&mut self, field: Field, values: &[f64]) {
         self.setup.field = field.clone();
         self.lines.set(field, values);
@@ -106,8 +111,8 @@ impl<'a> Family<'a> {
         self.levels = Range::open(low, high);
     }
 
-    #[cfg(feature = "flow")]
     /// `candidate` as its strips reach in levels of the field that is set now.
+    #[cfg(feature = "flow")]
     pub(super) fn relevelled(&self, candidate: &Candidate) -> Candidate {
         let mut changed = candidate.clone();
         for probe in changed.probes.iter_mut().flatten() {
@@ -167,7 +172,7 @@ impl<'a> Family<'a> {
             // asked.
             let length = family.length(&tracks);
             let best = found.as_ref().or(best);
-            if best.is_some_and(|best| best.is_whole && length >= best.planned.length()) {
+            if best.is_some_and(|best| length >= best.most()) {
                 continue;
             }
             let (planned, is_whole) =

@@ -170,7 +170,7 @@ impl Planner<'_> {
         let mut found: Option<Laid> = None;
         for (k, &rule) in rules.iter().enumerate() {
             let best = found.as_ref().or(best);
-            let most = best.filter(|best| best.is_whole).map_or(f64::INFINITY, |best| best.planned.length());
+            let most = best.map_or(f64::INFINITY, Laid::most);
             let at = |k: usize| k as f64 / rules.len() as f64;
             let spacing = stage.part("Spacing passes", at(k), at(k + 1));
             let passes = if matches!(rule, Rule::Fixed(_)) { offset_passes } else { evened_passes };

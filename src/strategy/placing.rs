@@ -205,9 +205,9 @@ impl Family<'_> {
         Ok(best)
     }
 
-    #[cfg(feature = "flow")]
     /// The last pass after `last` towards one side, the end of the levels less than a step away; `None` where no pass runs
     /// over the border everywhere.
+    #[cfg(feature = "flow")]
     pub(super) fn last_toward(
         &self,
         last: &Candidate,

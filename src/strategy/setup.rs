@@ -43,8 +43,8 @@ impl<'a> Setup<'a> {
         Ok(())
     }
 
-    #[cfg(feature = "flow")]
     /// Takes the levels that a strip reaches to from the field that it has now.
+    #[cfg(feature = "flow")]
     pub(super) fn relevel(&self, probe: &mut Probe) {
         let Probe::Strip { up, down } = probe else { return };
         for reach in [up, down] {

@@ -184,8 +184,8 @@ impl Front {
         outermost.is_some_and(|out| if toward == Toward::Higher { out > level } else { out < level })
     }
 
-    #[cfg(feature = "flow")]
     /// The level of the front abreast of the point with this level and column.
+    #[cfg(feature = "flow")]
     pub(super) fn abreast(&self, level: f64, column: f64, point: DVec3) -> Option<f64> {
         self.level_abreast(&Corner { column, level, point })
     }
@@ -227,8 +227,8 @@ pub(super) struct Gaps {
 }
 
 impl Gaps {
-    #[cfg(feature = "flow")]
     /// All of them, the widest last; of fronts that were given the wrong way round with the `sign` −1.
+    #[cfg(feature = "flow")]
     pub(super) fn sorted(&self, sign: f64) -> Vec<f64> {
         let mut sorted: Vec<f64> = self.sorted.iter().map(|gap| sign * gap).collect();
         sort_numbers(&mut sorted);

@@ -55,8 +55,7 @@ pub(in crate::strategy) fn passes(
             let at = |t: f64| 0.1 + 0.9 * (k as f64 + t) / OVER.len() as f64;
             stage.part(name, at(a), at(b))
         };
-        let shortest = best.as_ref().filter(|best| best.is_whole);
-        let most = shortest.map_or(most, |best| best.planned.length().min(most));
+        let most = best.as_ref().map_or(most, |best| best.most().min(most));
         let (mut setup, mut widths) = (first.clone(), begun.clone());
         for round in 0..ROUNDS {
             let part = |name, a: f64, b: f64| {
