@@ -153,25 +153,27 @@ impl FaceObstacle {
         let jet = self.face.jet(uv);
         let asked = Asked { enough: allowed, above: allowed };
         for (ring, radius) in RINGS.map(|share| share * self.cell).into_iter().enumerate() {
-            let mut lowest: Option<(f64, Uv)> = None;
-            for k in 0..SPOKES {
-                // Every other ring looks between the spokes of the last.
-                let turn = (k as f64 + 0.5 * (ring % 2) as f64) / SPOKES as f64;
-                let (s, c) = libm::sincos(std::f64::consts::TAU * turn);
-                let Some(step) = jet.pull_back((frame.f * c + frame.b * s) * radius) else { continue };
+            let look = |turn: f64| {
+                let (s, c) = libm::sincos(std::f64::consts::TAU * turn / SPOKES as f64);
+                let step = jet.pull_back((frame.f * c + frame.b * s) * radius)?;
                 let (beside, point) = self.beside(&domain, jet.p, uv, step, radius);
-                let here = body.distance(point);
-                if lowest.is_none_or(|(low, _)| here < low) {
-                    lowest = Some((here, beside));
-                }
-            }
-            if let Some((_, at)) = lowest.filter(|(here, _)| *here < 0.0) {
+                Some((body.distance(point), beside))
+            };
+            // Every other ring looks between the spokes of the last.
+            let turn = |k: usize| k as f64 + 0.5 * (ring % 2) as f64;
+            let looks: [_; SPOKES] = std::array::from_fn(|k| look(turn(k)));
+            let Some((k, low)) = lowest(&looks) else { continue };
+            // Where curvatures nearly match, what digs in lies at the bottom of a valley between two spokes.
+            let around = [k + SPOKES - 1, k + 1].map(|k| looks[k % SPOKES].map_or(low.0, |(here, _)| here));
+            let between = look(turn(k) + vertex(around[0], low.0, around[1]));
+            let lower = between.filter(|(here, _)| *here < low.0).unwrap_or(low);
+            if lower.0 < 0.0 {
                 let [u, v] = [jet.du, jet.dv].map(|along| 0.5 * radius / along.length());
                 if !(u.is_finite() && v.is_finite()) {
                     continue;
                 }
                 let step = Uv::new(u, v);
-                if nearest(&self.face, &body, at, step, asked, &|_| false).distance < allowed {
+                if nearest(&self.face, &body, lower.1, step, asked, &|_| false).distance < allowed {
                     return true;
                 }
             }
@@ -218,6 +220,18 @@ impl FaceObstacle {
         let end = nearest(&self.face, body, self.grid.uv(i, j), step, asked, &is_contact);
         if is_contact(end.point) { 0.0 } else { end.distance }
     }
+}
+
+/// The place where the cutter is nearest, and which it is.
+fn lowest(looks: &[Option<(f64, Uv)>]) -> Option<(usize, (f64, Uv))> {
+    let known = looks.iter().enumerate().filter_map(|(k, look)| Some((k, (*look)?)));
+    known.min_by(|(_, a), (_, b)| a.0.total_cmp(&b.0))
+}
+
+/// Where the parabola through three values at −1, 0 and 1, of which the middle one is the least, is lowest.
+fn vertex(before: f64, here: f64, after: f64) -> f64 {
+    let bend = before - 2.0 * here + after;
+    if bend > 0.0 { 0.5 * (before - after) / bend } else { 0.0 }
 }
 
 /// Blocks of the first of `sides` that tile the nodes, with blocks of the others inside.
@@ -271,7 +285,7 @@ fn tile(
 mod tests {
     use super::*;
     use crate::contact::cl_of;
-    use crate::geometry::{Cylinder, Side};
+    use crate::geometry::{Cylinder, Jet, Range, Side, Surface};
     use crate::math::frame::Frame;
     use crate::toolpath::{CcPoint, Posture};
 
@@ -297,6 +311,55 @@ mod tests {
         let chord: f64 = 12.0;
         let far = libm::hypot(chord, 48.0) + 2.0 - 50.0;
         assert!((depth + far).abs() < 1e-3, "{depth} {far}");
+    }
+
+    /// A narrow ridge along a line that is turned from the first parameter: it is level at the origin, and highest 0.7 mm on to both
+    /// sides.
+    #[derive(Debug)]
+    struct Ridge {
+        /// cos and sin.
+        along: [f64; 2],
+        height: f64,
+    }
+
+    impl Surface for Ridge {
+        fn domain(&self) -> Domain {
+            let range = Range::open(-3.0, 3.0);
+            Domain { u: range, v: range }
+        }
+
+        fn jet(&self, Uv { u, v }: Uv) -> Jet {
+            let ([c, s], k) = (self.along, 4.0 * self.height);
+            let (t, w) = (u * c + v * s, v * c - u * s);
+            let (dt, dw) = (k * (2.0 * t - 4.0 * t * t * t), -0.8 * w);
+            let (dtt, dww) = (k * (2.0 - 12.0 * t * t), -0.8);
+            let z = |z| DVec3::Z * z;
+            Jet {
+                p: DVec3::new(u, v, k * t * t * (1.0 - t * t) - 0.4 * w * w),
+                du: DVec3::X + z(c * dt - s * dw),
+                dv: DVec3::Y + z(s * dt + c * dw),
+                duu: z(c * c * dtt + s * s * dww),
+                duv: z(c * s * (dtt - dww)),
+                dvv: z(s * s * dtt + c * c * dww),
+            }
+        }
+    }
+
+    /// Below a flat bottom, in whatever direction the ridge runs: where curvatures nearly match, it is a direction that nobody chose.
+    #[test]
+    fn a_ridge_beside_the_contact_is_dug_into() {
+        let cutter = Cutter::bull_nose(20.0, 2.0, 50.0).unwrap();
+        let cl = ClPoint { tip: DVec3::ZERO, axis: DVec3::Z };
+        let frame = Frame { f: DVec3::X, b: DVec3::Y, n: DVec3::Z };
+        for (height, digs) in [(0.002, true), (0.0004, false)] {
+            for turn in 0..16 {
+                let (s, c) = libm::sincos(f64::from(turn).to_radians() * 3.0);
+                let face = Face::new(Ridge { along: [c, s], height }, Side::Front);
+                let obstacle = FaceObstacle::new(&face, 0.5);
+                let found = obstacle.digs_beside(&cutter, &cl, Uv::default(), &frame, -0.0005);
+                assert_eq!(found, digs, "{turn}: {height}");
+            }
+        }
     }
 
     #[test]
