@@ -18,10 +18,10 @@ use glam::DVec3;
 use std::sync::Arc;
 
 /// Over how many mean strips widths are evened out, in each way of which no formula tells which makes passes shorter.
-const OVER: [f64; 2] = [1.5, 6.0];
+const OVER: [f64; 3] = [1.5, 3.0, 6.0];
 /// The nodes at which strips are measured: their distance in strips on flat ground, and least and most cells a side.
 const CELL: f64 = 0.5;
-const CELLS: [usize; 2] = [24, 48];
+const CELLS: [usize; 2] = [24, 160];
 /// Rounds in which postures, widths and the passes' direction come to agree.
 const ROUNDS: usize = 3;
 /// Where the face's area in strips is more than so many times what passes may be long, they are not laid: it counts what the cutter
