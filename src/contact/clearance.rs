@@ -3,7 +3,7 @@
 use super::approach::{Asked, nearest};
 use super::body::Body;
 use crate::cutter::{Cutter, Holder};
-use crate::geometry::{Domain, Face, FaceGrid, Uv};
+use crate::geometry::{Domain, Face, FaceGrid, Jet, Uv};
 use crate::math::frame::Frame;
 use crate::toolpath::ClPoint;
 use glam::DVec3;
@@ -35,6 +35,9 @@ struct Block {
 const RINGS: [f64; 6] = [0.04, 0.1, 0.22, 0.45, 0.8, 1.4];
 /// Points on each: along and across the feed and between.
 const SPOKES: usize = 8;
+
+/// Places looked at between a spoke and its neighbours.
+const PARABOLAS: usize = 3;
 
 /// The least part of a step beside a contact.
 const SHORTEST: f64 = 1e-3;
@@ -151,7 +154,6 @@ impl FaceObstacle {
         let body = Body::new(cutter, cl);
         let domain = self.face.domain();
         let jet = self.face.jet(uv);
-        let asked = Asked { enough: allowed, above: allowed };
         for (ring, radius) in RINGS.map(|share| share * self.cell).into_iter().enumerate() {
             let look = |turn: f64| {
                 let (s, c) = libm::sincos(std::f64::consts::TAU * turn / SPOKES as f64);
@@ -162,23 +164,30 @@ impl FaceObstacle {
             // Every other ring looks between the spokes of the last.
             let turn = |k: usize| k as f64 + 0.5 * (ring % 2) as f64;
             let looks: [_; SPOKES] = std::array::from_fn(|k| look(turn(k)));
-            let Some((k, low)) = lowest(&looks) else { continue };
-            // Where curvatures nearly match, what digs in lies at the bottom of a valley between two spokes.
-            let around = [k + SPOKES - 1, k + 1].map(|k| looks[k % SPOKES].map_or(low.0, |(here, _)| here));
-            let between = look(turn(k) + vertex(around[0], low.0, around[1]));
-            let lower = between.filter(|(here, _)| *here < low.0).unwrap_or(low);
-            if lower.0 < 0.0 {
-                let [u, v] = [jet.du, jet.dv].map(|along| 0.5 * radius / along.length());
-                if !(u.is_finite() && v.is_finite()) {
+            // Where curvatures nearly match, what digs in lies at the bottom of valleys to both sides, between two spokes.
+            for k in 0..SPOKES {
+                let Some(low) = looks[k] else { continue };
+                let around = [k + SPOKES - 1, k + 1]
+                    .map(|k| looks[k % SPOKES].map_or(f64::INFINITY, |(here, _)| here));
+                if around.iter().any(|beside| *beside < low.0) {
                     continue;
                 }
-                let step = Uv::new(u, v);
-                if nearest(&self.face, &body, lower.1, step, asked, &|_| false).distance < allowed {
+                let places = [turn(k) - 1.0, turn(k), turn(k) + 1.0];
+                let (lowest, at) = between(look, low, places, [around[0], low.0, around[1]]);
+                if lowest < 0.0 && self.leads_below(&body, at, &jet, radius, allowed) {
                     return true;
                 }
             }
         }
         false
+    }
+
+    /// Whether the way down from `at`, `radius` mm beside the contact with this jet, leads below `allowed`.
+    fn leads_below(&self, body: &Body, at: Uv, jet: &Jet, radius: f64, allowed: f64) -> bool {
+        let [u, v] = [jet.du, jet.dv].map(|along| 0.5 * radius / along.length());
+        let asked = Asked { enough: allowed, above: allowed };
+        let is_below = || nearest(&self.face, body, at, Uv::new(u, v), asked, &|_| false).distance < allowed;
+        u.is_finite() && v.is_finite() && is_below()
     }
 
     /// The point one `step` of parameters beside `uv`, where the face's point is `p`. Near a border that all but shrinks to
@@ -222,16 +231,32 @@ impl FaceObstacle {
     }
 }
 
-/// The place where the cutter is nearest, and which it is.
-fn lowest(looks: &[Option<(f64, Uv)>]) -> Option<(usize, (f64, Uv))> {
-    let known = looks.iter().enumerate().filter_map(|(k, look)| Some((k, (*look)?)));
-    known.min_by(|(_, a), (_, b)| a.0.total_cmp(&b.0))
-}
-
-/// Where the parabola through three values at −1, 0 and 1, of which the middle one is the least, is lowest.
-fn vertex(before: f64, here: f64, after: f64) -> f64 {
-    let bend = before - 2.0 * here + after;
-    if bend > 0.0 { 0.5 * (before - after) / bend } else { 0.0 }
+/// What is `looked` at where a function is lowest that is `low` at the middle one of three places, with `values` there: by the parabola
+/// through the three, again and again (R. P. Brent, Algorithms for minimization without derivatives, 1973, ch. 5).
+fn between<T: Copy>(
+    look: impl Fn(f64) -> Option<(f64, T)>,
+    mut low: (f64, T),
+    mut places: [f64; 3],
+    mut values: [f64; 3],
+) -> (f64, T) {
+    for _ in 0..PARABOLAS {
+        let ([a, b, c], [fa, fb, fc]) = (places, values);
+        let (before, after) = ((b - a) * (fb - fc), (b - c) * (fb - fa));
+        let place = b - 0.5 * ((b - a) * before - (b - c) * after) / (before - after);
+        let is_inside = a < place && place < c && (place - b).abs() > 0.01 * (c - a);
+        let Some(next) = is_inside.then(|| look(place)).flatten() else { break };
+        let (is_lower, is_beyond) = (next.0 < fb, place > b);
+        if is_lower {
+            low = next;
+        }
+        (places, values) = match (is_lower, is_beyond) {
+            (true, true) => ([b, place, c], [fb, next.0, fc]),
+            (true, false) => ([a, place, b], [fa, next.0, fb]),
+            (false, true) => ([a, b, place], [fa, fb, next.0]),
+            (false, false) => ([place, b, c], [next.0, fb, fc]),
+        };
+    }
+    low
 }
 
 /// Blocks of the first of `sides` that tile the nodes, with blocks of the others inside.
@@ -285,7 +310,7 @@ fn tile(
 mod tests {
     use super::*;
     use crate::contact::cl_of;
-    use crate::geometry::{Cylinder, Jet, Range, Side, Surface};
+    use crate::geometry::{Cylinder, Range, Side, Surface};
     use crate::math::frame::Frame;
     use crate::toolpath::{CcPoint, Posture};
 
