@@ -231,8 +231,9 @@ impl FaceObstacle {
     }
 }
 
-/// What is `looked` at where a function is lowest that is `low` at the middle one of three places, with `values` there: by the parabola
-/// through the three, again and again (R. P. Brent, Algorithms for minimization without derivatives, 1973, ch. 5).
+/// The lowest value that is found between three places with these `values`, of which the middle one, `low`, is the least, and what `look`
+/// tells with it: where the parabola through the three is lowest, again and again (R. P. Brent, Algorithms for minimization without
+/// derivatives, 1973, ch. 5).
 fn between<T: Copy>(
     look: impl Fn(f64) -> Option<(f64, T)>,
     mut low: (f64, T),
