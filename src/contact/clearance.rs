@@ -5,6 +5,7 @@ use super::body::Body;
 use crate::cutter::{Cutter, Holder};
 use crate::geometry::{Domain, Face, FaceGrid, Jet, Uv};
 use crate::math::frame::Frame;
+use crate::math::parabola::vertex;
 use crate::toolpath::ClPoint;
 use glam::DVec3;
 
@@ -38,6 +39,8 @@ const SPOKES: usize = 8;
 
 /// Places looked at between a spoke and its neighbours.
 const PARABOLAS: usize = 3;
+/// The least way to the next of them, as a share of the ground between.
+const NEAR: f64 = 0.01;
 
 /// The least part of a step beside a contact.
 const SHORTEST: f64 = 1e-3;
@@ -167,13 +170,13 @@ impl FaceObstacle {
             // Where curvatures nearly match, what digs in lies at the bottom of valleys to both sides, between two spokes.
             for k in 0..SPOKES {
                 let Some(low) = looks[k] else { continue };
-                let around = [k + SPOKES - 1, k + 1]
-                    .map(|k| looks[k % SPOKES].map_or(f64::INFINITY, |(here, _)| here));
-                if around.iter().any(|beside| *beside < low.0) {
+                let beside = |k: usize| looks[k % SPOKES].map_or(f64::INFINITY, |(here, _)| here);
+                let (before, after) = (beside(k + SPOKES - 1), beside(k + 1));
+                if before.min(after) < low.0 {
                     continue;
                 }
-                let places = [turn(k) - 1.0, turn(k), turn(k) + 1.0];
-                let (lowest, at) = between(look, low, places, [around[0], low.0, around[1]]);
+                let around = [(turn(k) - 1.0, before), (turn(k), low.0), (turn(k) + 1.0, after)];
+                let (lowest, at) = between(look, low, around);
                 if lowest < 0.0 && self.leads_below(&body, at, &jet, radius, allowed) {
                     return true;
                 }
@@ -231,31 +234,26 @@ impl FaceObstacle {
     }
 }
 
-/// The lowest value that is found between three places with these `values`, of which the middle one, `low`, is the least, and what `look`
-/// tells with it: where the parabola through the three is lowest, again and again (R. P. Brent, Algorithms for minimization without
-/// derivatives, 1973, ch. 5).
+/// The lowest value found between the outer ones of three places with their values, of which the middle one, `low`, is the least, and
+/// what `look` tells with it: where the parabola through the three is lowest, again and again (R. P. Brent, Algorithms for minimization
+/// without derivatives, 1973, ch. 5).
 fn between<T: Copy>(
     look: impl Fn(f64) -> Option<(f64, T)>,
     mut low: (f64, T),
-    mut places: [f64; 3],
-    mut values: [f64; 3],
+    mut around: [(f64, f64); 3],
 ) -> (f64, T) {
     for _ in 0..PARABOLAS {
-        let ([a, b, c], [fa, fb, fc]) = (places, values);
-        let (before, after) = ((b - a) * (fb - fc), (b - c) * (fb - fa));
-        let place = b - 0.5 * ((b - a) * before - (b - c) * after) / (before - after);
-        let is_inside = a < place && place < c && (place - b).abs() > 0.01 * (c - a);
-        let Some(next) = is_inside.then(|| look(place)).flatten() else { break };
-        let (is_lower, is_beyond) = (next.0 < fb, place > b);
-        if is_lower {
+        let [a, b, c] = around;
+        let is_far = |place: &f64| (place - b.0).abs() > NEAR * (c.0 - a.0);
+        let Some(place) = vertex(around).filter(is_far) else { break };
+        let Some(next) = look(place) else { break };
+        let here = (place, next.0);
+        if here.1 < b.1 {
             low = next;
+            around = if place > b.0 { [b, here, c] } else { [a, here, b] };
+        } else {
+            around = if place > b.0 { [a, b, here] } else { [here, b, c] };
         }
-        (places, values) = match (is_lower, is_beyond) {
-            (true, true) => ([b, place, c], [fb, next.0, fc]),
-            (true, false) => ([a, place, b], [fa, next.0, fb]),
-            (false, true) => ([a, b, place], [fa, fb, next.0]),
-            (false, false) => ([place, b, c], [next.0, fb, fc]),
-        };
     }
     low
 }

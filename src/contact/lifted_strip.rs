@@ -5,6 +5,7 @@
 
 use super::half_strip::{Aims, HalfStrip, Reading, Search, border, refine};
 use crate::cutter::Cutter;
+use crate::math::parabola::vertex;
 use std::f64::consts::PI;
 
 /// Steps from the contact to where the edge is expected: enough to see the dip between.
@@ -79,12 +80,4 @@ pub(super) fn search_lifted(
         lowest = lowest.min(read(how.toward * theta).height);
     }
     if lowest < -how.gouge { (HalfStrip::Gouge { height: lowest }, lowest) } else { (end, lowest) }
-}
-
-/// Where the parabola through three places is lowest.
-fn vertex([(xa, ya), (xb, yb), (xc, yc)]: [(f64, f64); 3]) -> Option<f64> {
-    let (before, after) = ((yb - ya) / (xb - xa), (yc - yb) / (xc - xb));
-    let bend = (after - before) / (xc - xa);
-    let x = 0.5 * (xa + xb - before / bend);
-    (bend > 0.0 && xa < x && x < xc).then_some(x)
 }

@@ -4,4 +4,5 @@ pub mod angle;
 pub mod bvh;
 pub mod frame;
 pub mod order;
+pub mod parabola;
 pub mod root;

@@ -1,8 +1,9 @@
 //! Passes that follow the widest strips: along the level lines of whichever function of many makes them shortest.
 //!
-//! Lines of one parameter, parallel sections, functions bent towards the directions of the widest strips, and passes offset from
-//! lines of those and from lines along the widest strips (edge to edge, or by widths evened out where postures are chosen), one family all over the face or several that divide it, are compared
-//! by how long they would be ([`super::coarea`]) before any is laid. The best few are laid, and the shortest is taken.
+//! Lines of one parameter, parallel sections, functions bent towards the directions of the widest strips, and passes offset from lines
+//! of those and from lines along the widest strips (edge to edge, or by widths evened out where postures are chosen), one family all
+//! over the face or several that divide it, are compared by how long they would be ([`super::coarea`]) before any is laid. The best few
+//! are laid, and the shortest is taken.
 
 mod bend;
 mod divide;
