@@ -3,8 +3,10 @@
 use super::family::{Candidate, Family};
 use super::probe::Setup;
 use super::spacing::Toward;
+use super::walk;
 use crate::contact::Body;
 use crate::geometry::Uv;
+use crate::toolpath::ClPoint;
 
 /// Places looked at between two nodes of a pass, which are half a strip apart.
 const BETWEEN: usize = 8;
@@ -24,7 +26,7 @@ impl Family<'_> {
         })
     }
 
-    /// The cutter at its places along the lines of `candidate`.
+    /// The cutter at its places along the lines of `candidate`, and as it begins before them and goes on beyond.
     fn bodies(&self, candidate: &Candidate) -> Vec<Body> {
         let Setup { face, field, cutter, .. } = &self.setup;
         let body = |uv: Uv| {
@@ -36,6 +38,49 @@ impl Family<'_> {
             Uv::new(pair[0].u + (pair[1].u - pair[0].u) * s, pair[0].v + (pair[1].v - pair[0].v) * s)
         };
         let pairs = candidate.lines.iter().flat_map(|line| line.nodes.windows(2));
-        pairs.flat_map(|pair| (0..=BETWEEN).filter_map(move |k| body(between(pair, k)))).collect()
+        let along = pairs.flat_map(|pair| (0..=BETWEEN).filter_map(move |k| body(between(pair, k))));
+        let ends = candidate.lines.iter().flat_map(|line| walk::ends(&self.setup, line, candidate.reversed));
+        let moved = |[a, b]: [ClPoint; 2], k: usize| {
+            let s = k as f64 / BETWEEN as f64;
+            let axis = a.axis.lerp(b.axis, s).try_normalize()?;
+            Some(Body::new(cutter, &ClPoint { tip: a.tip.lerp(b.tip, s), axis }))
+        };
+        let beyond = ends.flat_map(|ends| (1..=BETWEEN).filter_map(move |k| moved(ends, k)));
+        along.chain(beyond).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cutter::{Cutter, Tool};
+    use crate::geometry::{Face, Field, Plane, Range, Side};
+    use crate::math::frame::Frame;
+    use crate::monitor::Stage;
+    use crate::posture::Rule;
+    use crate::strategy::probe::{Probe, Reach};
+    use crate::strategy::{Finish, Order};
+    use crate::toolpath::Posture;
+    use glam::DVec3;
+
+    /// A yawed cutter's strip lies aslant, and in the corner where a pass begins or ends only its run-out cuts.
+    #[test]
+    fn the_first_pass_of_a_yawed_cutter_lies_half_its_strip_inside() {
+        let frame = Frame { f: DVec3::X, b: DVec3::Y, n: DVec3::Z };
+        let (u, v) = (Range::open(0.0, 40.0), Range::open(0.0, 30.0));
+        let face = Face::new(Plane { origin: DVec3::ZERO, frame, u, v }, Side::Front);
+        let tool = Tool { cutter: Cutter::bull_nose(10.0, 2.0, 40.0).unwrap(), holder: None };
+        let rule = Rule::Fixed(Posture { lead: 0.1, yaw: 0.5 });
+        let (finish, fields) =
+            (Finish { scallop: 0.01, chord: 0.0001 }, (Field::Along(DVec3::Y), Field::Along(DVec3::X)));
+        let stage = Stage::silent();
+        let family = Family::new(&face, &tool, &rule, finish, fields, Order::ZigZag, &stage).unwrap();
+        let Probe::Strip { down: Reach::To { level, .. }, .. } =
+            family.setup.probe(Uv::new(20.0, 15.0), false)
+        else {
+            panic!("no strip")
+        };
+        let (half, first) = (15.0 - level, family.first(&stage).unwrap().level);
+        assert!((0.97..=1.0).contains(&(first / half)), "{first} of {half}");
     }
 }

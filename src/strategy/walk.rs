@@ -37,6 +37,19 @@ pub(super) fn passes(setup: &Setup, line: &IsoLine, reversed: bool) -> Vec<Pass>
     walker.split(&ats)
 }
 
+/// The moves of a pass along `line` before its first node and beyond its last.
+pub(super) fn ends(setup: &Setup, line: &IsoLine, reversed: bool) -> Vec<[ClPoint; 2]> {
+    let nodes = setup.in_feed_order(line, reversed);
+    let walker = Walker { setup, nodes: &nodes, level: line.level, reversed };
+    let end = |node: usize, toward: f64| {
+        let from = walker.at(node as f64).filter(|at| at.clear)?.station;
+        let all = [vec![from], walker.run_out(nodes[node], &from, toward)].concat();
+        Some(all.windows(2).map(|pair| [pair[0].cl, pair[1].cl]).collect::<Vec<_>>())
+    };
+    let ends = [end(0, -1.0), end(nodes.len() - 1, 1.0)];
+    ends.into_iter().flatten().flatten().collect()
+}
+
 /// The most that the axis may turn in a move, radians (3°): parts of the cutter that nobody looks at here stray by the
 /// square of it.
 const MOST_TURN: f64 = 0.052;
