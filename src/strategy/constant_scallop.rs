@@ -8,8 +8,10 @@ mod crest;
 mod curve;
 mod even;
 mod fit;
+mod known;
 mod march;
 mod offset;
+mod strips;
 mod upwind;
 
 use super::family::{Candidate, Family, Laid};

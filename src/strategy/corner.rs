@@ -28,9 +28,10 @@ impl Family<'_> {
 
     /// The cutter at its places along the lines of `candidate`, and as it begins before them and goes on beyond.
     fn bodies(&self, candidate: &Candidate) -> Vec<Body> {
-        let Setup { face, field, cutter, .. } = &self.setup;
+        let Setup { face, cutter, .. } = &self.setup;
+        let course = self.setup.course(candidate.reversed);
         let body = |uv: Uv| {
-            let on_line = field.onto_level(face, candidate.level, uv)?;
+            let on_line = course.onto_level(face, candidate.level, uv)?;
             Some(Body::new(cutter, &self.setup.station(on_line, candidate.reversed)?.cl))
         };
         let between = |pair: &[Uv], k: usize| {

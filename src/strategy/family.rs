@@ -18,6 +18,8 @@ const FILL: &str = "Filling gaps";
 pub(super) struct Family<'a> {
     pub(super) setup: Setup<'a>,
     pub(super) lines: FieldGrid,
+    /// The courses that passes follow forwards and backwards, where those are not the level lines.
+    courses: Option<[FieldGrid; 2]>,
     /// Levels run in here; periodic where the last pass meets the first again.
     pub(super) levels: Range,
     /// A step that is right on flat ground.
@@ -85,6 +87,9 @@ impl<'a> Family<'a> {
     pub(super) fn on_grid(setup: Setup<'a>, order: Order, grid: FaceGrid) -> Self {
         let (face, cell) = (setup.face, 0.5 * setup.strip);
         let (nu, nv) = grid.size();
+        let courses = setup.courses.as_ref().map(|courses| {
+            courses.each_ref().map(|course| FieldGrid::new(face, course.clone(), grid.clone()))
+        });
         let lines = FieldGrid::new(face, setup.field.clone(), grid);
         let domain = face.domain();
         let (low, high) = lines.range();
@@ -99,7 +104,7 @@ impl<'a> Family<'a> {
         };
         let column_period =
             parameter_range(&domain, &setup.column).filter(|r| r.periodic).map(|r| r.length());
-        Self { setup, lines, levels, nominal, column_period, order }
+        Self { setup, lines, courses, levels, nominal, column_period, order }
     }
 
     /// Takes another field, given on the grid of its lines with these values.
@@ -206,6 +211,16 @@ impl<'a> Family<'a> {
         }
     }
 
+    /// Whether passes follow courses beside the level lines.
+    pub(super) fn has_courses(&self) -> bool {
+        self.courses.is_some()
+    }
+
+    /// The lines that passes of this level and way of feed follow.
+    pub(super) fn lines_of(&self, level: f64, reversed: bool) -> Vec<IsoLine> {
+        self.courses.as_ref().map_or(&self.lines, |courses| &courses[usize::from(reversed)]).lines(level)
+    }
+
     fn reversed(&self, index: usize) -> bool {
         self.order == Order::ZigZag && index % 2 == 1
     }
@@ -223,7 +238,7 @@ impl<'a> Family<'a> {
         } else {
             level.clamp(self.levels.lo + self.margin(), self.levels.hi - self.margin())
         };
-        let mut lines = self.lines.lines(level);
+        let mut lines = self.lines_of(level, self.reversed(index));
         if detail == Detail::Sketch {
             lines.iter_mut().for_each(thin);
         }

@@ -59,7 +59,7 @@ fn insert(
     }
     let level = 0.5 * (lower.level + upper.level);
     let lines: Vec<IsoLine> =
-        family.lines.lines(level).iter().flat_map(|line| pieces(family, line, &needs)).collect();
+        family.lines_of(level, lower.reversed).iter().flat_map(|line| pieces(family, line, &needs)).collect();
     // One thread: the pairs of passes already share the workers out.
     let middle = family.probed(level, lines, lower.reversed, &stage.alone())?;
     if middle.probes.iter().flatten().all(|p| *p == Probe::Blocked) {

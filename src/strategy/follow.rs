@@ -196,7 +196,8 @@ impl Family<'_> {
         let mut nodes = line.nodes.clone();
         let last = nodes.len() - 1;
         let place = |whole: &IsoLine| whole.nodes.windows(nodes.len()).position(|w| w[0] == nodes[0]);
-        let found = || self.lines.lines(line.level).into_iter().find_map(|l| place(&l).map(|at| (l, at)));
+        let found =
+            || self.lines_of(line.level, reversed).into_iter().find_map(|l| place(&l).map(|at| (l, at)));
         if self.setup.postures.is_fixed() || line.closed {
             return line.clone();
         }

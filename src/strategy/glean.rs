@@ -216,7 +216,7 @@ impl Family<'_> {
         if !(low..=high).contains(&level) {
             return Vec::new();
         }
-        for line in self.lines.lines(level) {
+        for line in self.lines_of(level, false) {
             for run in line.nodes.chunk_by(|a, b| is_near(a) && is_near(b)) {
                 if run.len() > 1 {
                     pieces.push(IsoLine { level: line.level, nodes: run.to_vec(), closed: false });

@@ -13,6 +13,12 @@ pub(super) const MOST_PASSES: usize = 20_000;
 /// pass must come for that: partial passes cost lifts and scars.
 const OPEN: [(f64, f64); 2] = [(0.1, 0.4), (0.5, 1.5)];
 
+/// How often a pass is laid nearer to a border so that it cuts a corner, by how much each time, in steps, and the halvings of the last
+/// of them.
+const NEARER: u32 = 6;
+const NEARER_BY: f64 = 0.02;
+const NEARER_HALVINGS: usize = 4;
+
 /// What is said of more passes than that.
 pub(super) fn too_many() -> StrategyError {
     let why = "raise the scallop limit, or take a larger cutter".into();
@@ -33,7 +39,7 @@ impl Family<'_> {
             let done = if self.levels.periodic {
                 front.gaps(&start).all_but(0.0).is_some_and(|gap| gap <= 0.0)
             } else {
-                self.ends_family(last, Toward::Higher)
+                self.is_last(last)
             };
             if done || from >= self.levels.hi - self.margin() {
                 break;
@@ -59,6 +65,9 @@ impl Family<'_> {
         let fits = |c: &Candidate| self.ends_family(c, Toward::Lower);
         let mut best = edge;
         let (mut inside, mut outside) = (0.0, (2.0 * self.nominal).min(self.levels.length()));
+        if self.has_courses() {
+            return self.beside_border((lo, lo + outside), Toward::Lower, 0, stage);
+        }
         // A thousandth of the first strip is nothing in the length of a path.
         for _ in 0..12 {
             let middle = 0.5 * (inside + outside);
@@ -179,6 +188,49 @@ impl Family<'_> {
         }
     }
 
+    /// The pass farthest from a border, between the level at it and one inside, whose strips run over it everywhere, where
+    /// passes follow courses of their own; or a little nearer, if then what it leaves in a corner is cut. Right beside the border
+    /// courses leave over it themselves.
+    fn beside_border(
+        &self,
+        (border, inner): (f64, f64),
+        toward: Toward,
+        index: usize,
+        stage: &Stage,
+    ) -> Result<Candidate, Cancelled> {
+        let (mut inside, mut outside) = (border, inner);
+        let at = |level: f64| self.candidate(level, index, Detail::Full, stage);
+        for _ in 0..10 {
+            let middle = 0.5 * (inside + outside);
+            if at(middle)?.runs_over_border(toward) { inside = middle } else { outside = middle }
+        }
+        let farthest = at(inside)?;
+        let out = if toward == Toward::Lower { -1.0 } else { 1.0 };
+        let nearer = |steps: f64| at(inside + out * steps * NEARER_BY * self.nominal);
+        let ends = |c: &Candidate| c.lines.len() == farthest.lines.len() && self.ends_family(c, toward);
+        for k in 0..NEARER {
+            let mut best = nearer(f64::from(k))?;
+            if !ends(&best) {
+                continue;
+            }
+            let (mut near, mut far) = (f64::from(k), f64::from(k) - 1.0);
+            for _ in 0..if k > 0 { NEARER_HALVINGS } else { 0 } {
+                let middle = 0.5 * (near + far);
+                let candidate = nearer(middle)?;
+                if ends(&candidate) { (near, best) = (middle, candidate) } else { far = middle }
+            }
+            return Ok(best);
+        }
+        Ok(farthest)
+    }
+
+    /// Whether no whole pass goes between this one and the border: where passes follow courses of their own, what they leave in a
+    /// corner has none that ends them.
+    fn is_last(&self, candidate: &Candidate) -> bool {
+        self.ends_family(candidate, Toward::Higher)
+            || self.has_courses() && !candidate.lines.is_empty() && candidate.runs_over_border(Toward::Higher)
+    }
+
     /// The last pass: as far from the border as its strips still run over it everywhere.
     fn last(
         &self,
@@ -188,6 +240,9 @@ impl Family<'_> {
         index: usize,
         stage: &Stage,
     ) -> Result<Candidate, Cancelled> {
+        if self.has_courses() {
+            return self.beside_border((from + step, from), Toward::Higher, index, stage);
+        }
         let mut best = match at_border {
             Some(candidate) => candidate,
             None => self.candidate(self.levels.hi, index, Detail::Full, stage)?,

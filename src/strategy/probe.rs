@@ -18,8 +18,11 @@ pub(super) struct Setup<'a> {
     pub(super) holder: Option<Holder>,
     pub(super) postures: PostureField,
     pub(super) finish: Finish,
-    /// Passes are its level lines.
+    /// Counts passes, which are its level lines or lie beside those.
     pub(super) field: Field,
+    /// Whose level lines passes follow, forwards and backwards, where those are not the ones of `field`: they lie beside them, so that
+    /// strips lie about them.
+    pub(super) courses: Option<[Field; 2]>,
     /// Tells which points of neighbouring passes lie abreast.
     pub(super) column: Field,
     /// Width of the strip on flat ground, mm.
@@ -74,9 +77,14 @@ pub(super) fn contact_frame(face: &Face, field: &Field, uv: Uv, reversed: bool) 
 }
 
 impl Setup<'_> {
+    /// Whose level lines passes of this way of feed follow.
+    pub(super) fn course(&self, reversed: bool) -> &Field {
+        self.courses.as_ref().map_or(&self.field, |courses| &courses[usize::from(reversed)])
+    }
+
     /// The [`contact_frame`] at `uv`.
     pub(super) fn frame(&self, uv: Uv, reversed: bool) -> Option<(Jet, Frame)> {
-        contact_frame(self.face, &self.field, uv, reversed)
+        contact_frame(self.face, self.course(reversed), uv, reversed)
     }
 
     /// The station at `uv`, clear or not.
@@ -147,7 +155,7 @@ impl Setup<'_> {
         let point = jet.p + frame.n * self.postures.lift(uv, reversed);
         let cc = CcPoint { point, frame, posture };
         let k = Curvature::of(&jet, &frame)?;
-        let geodesic = self.field.geodesic_curvature(uv, &jet, &frame, k.ff);
+        let geodesic = self.course(reversed).geodesic_curvature(uv, &jet, &frame, k.ff);
         let geodesic = if geodesic.is_finite() { geodesic } else { 0.0 };
         let spin = frame.f * k.fb - frame.b * k.ff + frame.n * geodesic;
         // Chords over a hollow run above the path by up to the chord tolerance, and the cusps with them.
@@ -186,6 +194,17 @@ impl Setup<'_> {
             (Edge::Border(_), Edge::Border(_)) => None,
             _ => Some(left + right),
         }
+    }
+
+    /// How far the middle of the strip at `uv` lies beside the contact, mm, above 0 towards higher levels; `None` where not both of its
+    /// edges lie on the face.
+    pub(super) fn middle(&self, uv: Uv, reversed: bool) -> Option<f64> {
+        let (jet, frame) = self.frame(uv, reversed)?;
+        let strip = self.moving_strip(uv, reversed, 0.0)?;
+        let (Edge::Reached(left), Edge::Reached(right)) = (strip.left, strip.right) else { return None };
+        let beside = |foot: Uv| (self.face.surface.point(foot) - jet.p).dot(frame.b);
+        let middle = 0.5 * (beside(left) + beside(right));
+        Some(if reversed { -middle } else { middle })
     }
 
     /// How far `edge` lies beside the `contact` with this frame, mm; `None` where the cutter digs in.

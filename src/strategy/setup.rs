@@ -25,8 +25,18 @@ impl<'a> Setup<'a> {
         let Tool { cutter, holder } = tool;
         let obstacle = FaceObstacle::for_cutter(face, cutter);
         let postures = PostureField::fixed(Posture::default());
-        let mut setup =
-            Self { face, obstacle, cutter, holder: *holder, postures, finish, field, column, strip: 0.0 };
+        let mut setup = Self {
+            face,
+            obstacle,
+            cutter,
+            holder: *holder,
+            postures,
+            finish,
+            field,
+            courses: None,
+            column,
+            strip: 0.0,
+        };
         setup.choose(rule, order, stage)?;
         Ok(setup)
     }
@@ -34,7 +44,7 @@ impl<'a> Setup<'a> {
     /// Chooses postures for the field that it has now.
     pub(super) fn choose(&mut self, rule: &Rule, order: Order, stage: &Stage) -> Result<(), Cancelled> {
         let (face, cutter, holder, finish) = (self.face, self.cutter, self.holder, &self.finish);
-        let feed = |uv, reversed| contact_frame(face, &self.field, uv, reversed);
+        let feed = |uv, reversed| contact_frame(face, self.course(reversed), uv, reversed);
         let obstacle = &self.obstacle;
         let (scallop, most_lift) = (finish.scallop, rule.most_lift(finish.scallop, finish.chord));
         let ground = Ground { face, obstacle, cutter, holder, feed: &feed, scallop, gouge: GOUGE, most_lift };

@@ -97,7 +97,7 @@ impl Walker<'_> {
         let i = (t.floor() as usize).min(self.nodes.len() - 2);
         let (a, b, s) = (self.nodes[i], self.nodes[i + 1], t - i as f64);
         let uv = a.lerp(b, s);
-        let uv = self.setup.field.onto_level(self.setup.face, self.level, uv)?;
+        let uv = self.setup.course(self.reversed).onto_level(self.setup.face, self.level, uv)?;
         Some((uv, self.setup.station(uv, self.reversed)?))
     }
 
