@@ -134,10 +134,10 @@ fn chosen_postures_are_offset_too() {
         planned(&job)
     });
     let share = length(&even.1) / length(&iso.1);
-    assert!(share <= 0.985, "{share}");
+    assert!(share <= 0.93, "{share}");
     // Near where curvatures match strips break off at half their width: what lies beside them is below the limit by more.
     let median = proven(&even);
-    assert!(median >= 0.55, "{median}");
+    assert!(median >= 0.54, "{median}");
 }
 
 #[test]

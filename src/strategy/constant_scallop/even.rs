@@ -26,6 +26,9 @@ const LAID: usize = 3;
 /// Where the face's area in strips is more than so many times what passes may be long, they are not laid: it counts what the cutter
 /// cannot reach as well, and by the way of the contact.
 const MARGIN: f64 = 1.05;
+/// Passes that come out more than so many times as long as their lines break into pieces: evened out over more or less they do as well.
+const BROKEN: f64 = 1.5;
+
 /// The passes offset from the line of `seed` to both sides, the shorter ones of those that leave nothing; none where all come out
 /// longer than `most` (mm), and where fronts run round the face and meet.
 pub(in crate::strategy) fn passes(
@@ -86,9 +89,13 @@ pub(in crate::strategy) fn passes(
             let following = part("Following the surface", 0.7, 1.0);
             let (planned, is_whole) = followed(&[Part::whole(family, tracks)], &crests, &following)?;
             let laid = Laid { rule: *rule, planned, is_whole };
+            let is_broken = laid.planned.length() > BROKEN * lines;
             if best.as_ref().is_none_or(|best| laid.is_better(best)) {
                 longer = laid.planned.length() / lines;
                 best = Some(laid);
+            }
+            if is_broken {
+                break 'over;
             }
         }
     }
