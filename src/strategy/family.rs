@@ -218,7 +218,12 @@ impl<'a> Family<'a> {
 
     /// The lines that passes of this level and way of feed follow.
     pub(super) fn lines_of(&self, level: f64, reversed: bool) -> Vec<IsoLine> {
-        self.courses.as_ref().map_or(&self.lines, |courses| &courses[usize::from(reversed)]).lines(level)
+        self.course(reversed).lines(level)
+    }
+
+    /// What passes of this way of feed follow the lines of.
+    pub(super) fn course(&self, reversed: bool) -> &FieldGrid {
+        self.courses.as_ref().map_or(&self.lines, |courses| &courses[usize::from(reversed)])
     }
 
     fn reversed(&self, index: usize) -> bool {

@@ -162,16 +162,17 @@ impl Family<'_> {
         found: &mut Vec<Candidate>,
         stage: &Stage,
     ) -> Result<(), Cancelled> {
-        let levels = || spot.iter().map(|&(uv, p)| self.setup.field.value(uv, p));
+        // Short passes all go forwards.
+        let course = self.setup.course(false);
+        let levels = || spot.iter().map(|&(uv, p)| course.value(uv, p));
         let low = levels().fold(f64::INFINITY, f64::min);
         let high = levels().fold(f64::NEG_INFINITY, f64::max);
         let count = ((high - low) / (DEEP * self.nominal)).floor() + 1.0;
         let depth = (high - low) / count;
         for i in 0..count as usize {
             let level = low + depth * (i as f64 + 0.5);
-            let is_here = |&&(uv, p): &&(Uv, DVec3)| {
-                (self.setup.field.value(uv, p) - level).abs() <= (0.5 + 1e-9) * depth
-            };
+            let is_here =
+                |&&(uv, p): &&(Uv, DVec3)| (course.value(uv, p) - level).abs() <= (0.5 + 1e-9) * depth;
             let here: Vec<(Uv, DVec3)> = spot.iter().filter(is_here).copied().collect();
             let mut best: (usize, Vec<IsoLine>) = (0, Vec::new());
             for aside in ASIDE {
@@ -212,7 +213,7 @@ impl Family<'_> {
             spot.iter().any(|(_, p)| p.distance_squared(here) < near * near)
         };
         let mut pieces = Vec::new();
-        let (low, high) = self.lines.range();
+        let (low, high) = self.course(false).range();
         if !(low..=high).contains(&level) {
             return Vec::new();
         }

@@ -18,6 +18,8 @@ const OPEN: [(f64, f64); 2] = [(0.1, 0.4), (0.5, 1.5)];
 const NEARER: u32 = 6;
 const NEARER_BY: f64 = 0.02;
 const NEARER_HALVINGS: usize = 4;
+/// Levels that are looked at where none of those has a line.
+const SOME: u32 = 16;
 
 /// What is said of more passes than that.
 pub(super) fn too_many() -> StrategyError {
@@ -137,6 +139,10 @@ impl Family<'_> {
             let (gap, candidate) = gap_at(step)?;
             match gap {
                 // Nothing lies abreast: this pass or the last cannot be cut anywhere, and neither bounds the step.
+                // Or its course has left over the border already.
+                None if detail == Detail::Full && candidate.lines.is_empty() && self.has_courses() => {
+                    return self.last(None, step, from, index, stage);
+                }
                 None => return Ok(candidate),
                 Some(gap) if gap > 0.0 => {
                     high = Some((step, gap));
@@ -205,6 +211,11 @@ impl Family<'_> {
             if at(middle)?.runs_over_border(toward) { inside = middle } else { outside = middle }
         }
         let farthest = at(inside)?;
+        if farthest.lines.is_empty() {
+            return self
+                .some_line((border, inner), toward, index, stage)
+                .map(|some| some.unwrap_or(farthest));
+        }
         let out = if toward == Toward::Lower { -1.0 } else { 1.0 };
         let nearer = |steps: f64| at(inside + out * steps * NEARER_BY * self.nominal);
         let ends = |c: &Candidate| c.lines.len() == farthest.lines.len() && self.ends_family(c, toward);
@@ -222,6 +233,26 @@ impl Family<'_> {
             return Ok(best);
         }
         Ok(farthest)
+    }
+
+    /// The pass farthest from a border whose strips run over it, of a few between the level at it and one inside; or the nearest one
+    /// where none do; `None` where there are no lines at all.
+    fn some_line(
+        &self,
+        (border, inner): (f64, f64),
+        toward: Toward,
+        index: usize,
+        stage: &Stage,
+    ) -> Result<Option<Candidate>, Cancelled> {
+        let mut some: Option<Candidate> = None;
+        for k in 0..=SOME {
+            let level = border + (inner - border) * f64::from(k) / f64::from(SOME);
+            let candidate = self.candidate(level, index, Detail::Full, stage)?;
+            if !candidate.lines.is_empty() && (some.is_none() || candidate.runs_over_border(toward)) {
+                some = Some(candidate);
+            }
+        }
+        Ok(some)
     }
 
     /// Whether no whole pass goes between this one and the border: where passes follow courses of their own, what they leave in a

@@ -96,7 +96,7 @@ impl Strips {
     }
 
     /// What passes of `setup` follow, forwards and backwards, so that not their contacts but the middles of their strips lie on the
-    /// level lines of its field; `None` where all passes go one way, or too little is known.
+    /// level lines of its field; `None` where all passes go one way, or nothing is known of those middles.
     ///
     /// Strips that lie to one side of their contacts lie to the other one on the way back. Along the level lines themselves steps would
     /// take turns in being too long and too short wherever that side changes.
