@@ -198,6 +198,7 @@ impl Setup<'_> {
 
     /// How far the middle of the strip at `uv` lies beside the contact, mm, above 0 towards higher levels; `None` where not both of its
     /// edges lie on the face.
+    #[cfg(feature = "flow")]
     pub(super) fn middle(&self, uv: Uv, reversed: bool) -> Option<f64> {
         let (jet, frame) = self.frame(uv, reversed)?;
         let strip = self.moving_strip(uv, reversed, 0.0)?;
