@@ -60,16 +60,17 @@ impl Family<'_> {
     /// The first pass: as far in as its strips still run over the border everywhere.
     pub(super) fn first(&self, stage: &Stage) -> Result<Candidate, Cancelled> {
         let lo = self.levels.lo;
+        let farthest = (2.0 * self.nominal).min(self.levels.length());
+        if self.has_courses() {
+            return self.beside_border((lo, lo + farthest), Toward::Lower, 0, stage);
+        }
         let edge = self.candidate(lo, 0, Detail::Full, stage)?;
         if self.levels.periodic {
             return Ok(edge);
         }
         let fits = |c: &Candidate| self.ends_family(c, Toward::Lower);
         let mut best = edge;
-        let (mut inside, mut outside) = (0.0, (2.0 * self.nominal).min(self.levels.length()));
-        if self.has_courses() {
-            return self.beside_border((lo, lo + outside), Toward::Lower, 0, stage);
-        }
+        let (mut inside, mut outside) = (0.0, farthest);
         // A thousandth of the first strip is nothing in the length of a path.
         for _ in 0..12 {
             let middle = 0.5 * (inside + outside);
