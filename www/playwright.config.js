@@ -1,3 +1,4 @@
+import { fileURLToPath } from 'node:url';
 import { defineConfig } from '@playwright/test';
 
 const output = '../tests/web/output';
@@ -19,6 +20,11 @@ export default defineConfig({
     viewport: { width: 1440, height: 900 },
     launchOptions: {
       executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+      // A machine without a font for Chinese would show boxes.
+      env: {
+        ...process.env,
+        FONTCONFIG_FILE: fileURLToPath(new URL('../tests/web/fonts.conf', import.meta.url)),
+      },
       args: [
         '--no-sandbox',
         '--disable-gpu',
