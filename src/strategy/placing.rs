@@ -104,7 +104,7 @@ impl Family<'_> {
         let mut held = strict;
         for (share, worth) in OPEN {
             let overlap = front.gaps(&self.front(&held, Toward::Lower)).all_but(share).unwrap_or(0.0);
-            if overlap <= -worth * step {
+            if overlap.is_finite() && overlap <= -worth * step {
                 let loose = sketch(step - overlap, share)?;
                 if loose.level - from > (1.0 + worth) * step {
                     (step, open) = (loose.level - from, share);
@@ -323,5 +323,39 @@ impl Family<'_> {
     pub(super) fn ends_family(&self, candidate: &Candidate, toward: Toward) -> bool {
         let ends_in_corner = matches!(self.setup.field, Field::Along(_) | Field::Given(_));
         candidate.runs_over_border(toward) && (!ends_in_corner || self.cuts_beyond(candidate, toward))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cutter::{Cutter, Tool};
+    use crate::geometry::{Face, NurbsSurface, Side};
+    use crate::posture::Rule;
+    use crate::strategy::{Finish, Order};
+    use crate::toolpath::Posture;
+    use glam::DVec3;
+    use std::sync::Arc;
+
+    /// Along the handle of a paddle one strip runs over both borders: that tells nothing of the step across its blade.
+    #[test]
+    fn strips_over_borders_hurry_no_step() {
+        let knots = [vec![0.0, 0.0, 0.75, 1.0, 1.0], vec![0.0, 0.0, 1.0, 1.0]];
+        let (handle, blade) = (0.6, 30.0);
+        let points: Vec<DVec3> = [(0.0, handle), (60.0, handle), (80.0, blade)]
+            .into_iter()
+            .flat_map(|(x, width)| [DVec3::new(x, 0.0, 0.0), DVec3::new(x, width, 0.0)])
+            .collect();
+        let paddle = NurbsSurface::new([1, 1], knots, &points, None).unwrap();
+        let face = Face { surface: Arc::new(paddle), side: Side::Front };
+        let tool = Tool { cutter: Cutter::bull_nose(10.0, 2.0, 40.0).unwrap(), holder: None };
+        let rule = Rule::Fixed(Posture { lead: 0.3, yaw: 0.0 });
+        let (finish, fields, stage) =
+            (Finish { scallop: 0.01, chord: 0.001 }, (Field::V, Field::U), Stage::silent());
+        let family = Family::new(&face, &tool, &rule, finish, fields, Order::Zig, &stage).unwrap();
+        let placed = family.place(&stage).unwrap();
+        let steps: Vec<f64> = placed.windows(2).map(|w| w[1].level - w[0].level).collect();
+        let strip = family.setup.strip / blade;
+        assert!(steps.iter().all(|step| *step < 4.5 * strip), "{steps:?} {strip}");
     }
 }

@@ -235,9 +235,11 @@ impl Gaps {
         sorted
     }
 
-    /// The gap that all but the share `open` of the columns keep below; `None` where nothing lies abreast.
+    /// The gap that all but the share `open` of the columns keep below; `None` where nothing lies abreast. Columns where a strip runs over
+    /// a border count only where all do: they overlap without end, and tell nothing of the others.
     pub(super) fn all_but(&self, open: f64) -> Option<f64> {
         let last = self.sorted.len().checked_sub(1)?;
-        Some(self.sorted[((1.0 - open) * last as f64).floor() as usize])
+        let first = self.sorted.partition_point(|gap| *gap == f64::NEG_INFINITY).min(last);
+        Some(self.sorted[first + ((1.0 - open) * (last - first) as f64).floor() as usize])
     }
 }
