@@ -4,19 +4,30 @@ use super::family::{Candidate, Family};
 use super::probe::{Probe, Reach};
 use super::spacing::{Front, Toward};
 use crate::geometry::{Field, IsoLine, Uv};
+use crate::math::order::{rank, sort_by_key};
 use crate::monitor::{Cancelled, Stage};
 use glam::DVec3;
 
-/// Halvings between two whole passes: at the last, partial passes lie a sixty-fourth of a step apart.
+/// Partings between two whole passes: each at least halves what lies between two passes.
 const DEPTH: usize = 6;
-/// Halvings towards the rim of what the cutter cannot reach; a quarter of a step is left beside it, which the zone takes in.
+/// Partings towards the rim of what the cutter cannot reach; a quarter of a step is left beside it, which the zone takes in.
 const RIM_DEPTH: usize = 2;
+/// What of a strip may be missing beyond a whole number of them.
+const SLACK: f64 = 0.02;
+/// Most passes between two others at once.
+const MOST: f64 = 64.0;
+/// Nodes to either side that have as many passes as the one among them that needs most.
+const AROUND: usize = 3;
+/// Shorter pieces of lines that bend freely are no partial passes, in strips: hardly more than their run-outs.
+const SHORT: f64 = 0.3;
 
-/// Columns between two neighbouring probes of a line that a partial pass must cover.
+/// Columns between two neighbouring probes of a line that partial passes must cover.
 #[derive(Debug, Clone, Copy)]
 struct Need {
     columns: (f64, f64),
     point: DVec3,
+    /// How many strips are missing there.
+    strips: f64,
 }
 
 /// `placed` with partial passes put between neighbours, in the order of their levels.
@@ -28,7 +39,9 @@ pub(super) fn tracks(
     let count = placed.len();
     let between = stage.map(count.saturating_sub(1), |i| {
         let mut out = Vec::new();
-        insert(family, [&placed[i], &placed[i + 1]], None, &mut out, &stage.quiet()).map(|()| out)
+        insert(family, [&placed[i], &placed[i + 1]], None, &mut out, &stage.quiet())?;
+        sort_by_key(&mut out, |track: &Candidate| (rank(track.level), 0));
+        Ok(out)
     })?;
     let mut between = between.into_iter();
     let mut all = Vec::new();
@@ -41,7 +54,7 @@ pub(super) fn tracks(
     Ok(all)
 }
 
-/// Appends the partial passes between `lower` and `upper`, lowest first: in all columns, or in those of `within`.
+/// Appends the partial passes between `lower` and `upper`, in any order: in all columns, or in those of `within`.
 fn insert(
     family: &Family,
     [lower, upper]: [&Candidate; 2],
@@ -57,23 +70,39 @@ fn insert(
     if needs.is_empty() {
         return Ok(());
     }
-    let level = 0.5 * (lower.level + upper.level);
-    let lines: Vec<IsoLine> =
-        family.lines_of(level, lower.reversed).iter().flat_map(|line| pieces(family, line, &needs)).collect();
-    // One thread: the pairs of passes already share the workers out.
-    let middle = family.probed(level, lines, lower.reversed, &stage.alone())?;
-    if middle.probes.iter().flatten().all(|p| *p == Probe::Blocked) {
-        // Nothing is cut on it, but it tells where the cutter cannot go.
+    let most = needs.iter().map(|need| count(need.strips)).fold(1, usize::max);
+    for passes in 1..=most {
+        let level = first_of(passes, [lower.level, upper.level]);
+        let lines = family.lines_of(level, lower.reversed);
+        let lines = lines.iter().flat_map(|line| pieces(family, line, &needs, passes));
+        let lines: Vec<IsoLine> = lines.filter(|line| is_worth(family, line)).collect();
+        if lines.is_empty() {
+            continue;
+        }
+        let own: Vec<Need> = lines.iter().flat_map(|line| columns_of(family, line)).collect();
+        // One thread: the pairs of passes already share the workers out.
+        let middle = family.probed(level, lines, lower.reversed, &stage.alone())?;
+        // Where nothing is cut on it, it tells where the cutter cannot go.
+        if middle.probes.iter().flatten().any(|p| *p != Probe::Blocked) {
+            let within = Some((&own[..], depth));
+            insert(family, [lower, &middle], within, out, stage)?;
+            insert(family, [&middle, upper], within, out, stage)?;
+        }
         out.push(middle);
-        return Ok(());
     }
-    let within = Some((&needs[..], depth));
-    insert(family, [lower, &middle], within, out, stage)?;
-    let mut above = Vec::new();
-    insert(family, [&middle, upper], within, &mut above, stage)?;
-    out.push(middle);
-    out.extend(above);
     Ok(())
+}
+
+/// The level of that one of so many `passes` between two levels which has as many below it as above, or one less: steps are equal then.
+fn first_of(passes: usize, [lower, upper]: [f64; 2]) -> f64 {
+    let below = passes.div_ceil(2);
+    lower + (upper - lower) * below as f64 / (passes + 1) as f64
+}
+
+/// Whether a piece of a line is worth a partial pass: where lines bend freely, what the shortest ones are for is looked for afterwards.
+fn is_worth(family: &Family, line: &IsoLine) -> bool {
+    !matches!(family.setup.field, Field::Given(_))
+        || line.length(family.setup.face) >= SHORT * family.setup.strip
 }
 
 /// Where the strips of `lower` and `upper` do not meet, within the given columns.
@@ -92,16 +121,15 @@ fn needs(
         let (front, mine) = (family.front(other, back), family.front(own, toward));
         for (line, probes) in own.lines.iter().zip(&own.probes) {
             let inside = |i: usize| within.is_none_or(|needs| covers(family, needs, line.nodes[i]));
-            let open: Vec<bool> = (0..probes.len())
-                .map(|i| {
-                    inside(i) && is_open(&probes[i], [&mine, &front], (toward, back), rim.then_some(depth))
-                })
-                .collect();
+            let rim = rim.then_some(depth);
+            let open =
+                |i: usize| inside(i).then(|| missing(&probes[i], [&mine, &front], toward, rim)).flatten();
+            let open: Vec<Option<f64>> = (0..probes.len()).map(open).collect();
             for i in 0..open.len().saturating_sub(1) {
-                if open[i] || open[i + 1] {
+                if let Some(strips) = open[i].into_iter().chain(open[i + 1]).reduce(f64::max) {
                     let (a, point) = column(family, line.nodes[i]);
                     let (b, _) = column(family, line.nodes[i + 1]);
-                    found.push(Need { columns: (a.min(b), a.max(b)), point });
+                    found.push(Need { columns: (a.min(b), a.max(b)), point, strips });
                 }
             }
         }
@@ -109,21 +137,28 @@ fn needs(
     found
 }
 
-/// Whether something is left between the strip of `probe`, one of those with the front `mine`, and the neighbour's `front`.
-fn is_open(
-    probe: &Probe,
-    [mine, front]: [&Front; 2],
-    (toward, back): (Toward, Toward),
-    rim: Option<usize>,
-) -> bool {
-    match probe.reach(toward) {
-        // What is abreast must come at least as far as the strip. Nothing abreast is the rim of what can be reached.
-        Some(Reach::To { level, column, point, .. }) if mine.is_behind(level, column, point) => false,
-        Some(Reach::To { level, column, point, .. }) => front
-            .meets(level, column, point, back)
-            .map_or(rim.is_some_and(|depth| depth <= RIM_DEPTH), |met| !met),
-        Some(Reach::Border { .. } | Reach::Aside) | None => false,
+/// How many strips as wide as that of `probe`, one of those with the front `mine`, fit between it and the neighbour's `front`; `None`
+/// where nothing is left there.
+fn missing(probe: &Probe, [mine, front]: [&Front; 2], toward: Toward, rim: Option<usize>) -> Option<f64> {
+    let Some(Reach::To { level, column, point, .. }) = probe.reach(toward) else { return None };
+    if mine.is_behind(level, column, point) {
+        return None;
     }
+    let away = if toward == Toward::Higher { 1.0 } else { -1.0 };
+    match front.abreast(level, column, point) {
+        // What is abreast must come at least as far as the strip.
+        Some(abreast) => {
+            let gap = away * (abreast - level);
+            (gap > 0.0).then(|| probe.depth().map_or(1.0, |depth| gap / depth))
+        }
+        // Nothing abreast is the rim of what can be reached.
+        None => rim.is_some_and(|depth| depth <= RIM_DEPTH).then_some(1.0),
+    }
+}
+
+/// How many passes close a gap of so many strips.
+fn count(strips: f64) -> usize {
+    if strips.is_finite() { (strips - SLACK).ceil().clamp(1.0, MOST) as usize } else { 1 }
 }
 
 fn column(family: &Family, uv: Uv) -> (f64, DVec3) {
@@ -131,21 +166,85 @@ fn column(family: &Family, uv: Uv) -> (f64, DVec3) {
     (family.setup.column.value(uv, point), point)
 }
 
+/// The columns of `line`.
+fn columns_of(family: &Family, line: &IsoLine) -> Vec<Need> {
+    let columns: Vec<_> = line.nodes.iter().map(|uv| column(family, *uv)).collect();
+    let need = |w: &[(f64, DVec3)]| {
+        let (a, b) = (w[0].0, w[1].0);
+        Need { columns: (a.min(b), a.max(b)), point: w[0].1, strips: 1.0 }
+    };
+    columns.windows(2).map(need).collect()
+}
+
 /// Whether the point at `uv` lies in one of the columns of `needs`.
 fn covers(family: &Family, needs: &[Need], uv: Uv) -> bool {
+    most_missing(family, needs, uv).is_some()
+}
+
+/// How many strips are missing at `uv` by those of `needs` in whose columns it lies.
+fn most_missing(family: &Family, needs: &[Need], uv: Uv) -> Option<f64> {
     let (column, point) = column(family, uv);
     // What is abreast lies within a few steps in space; another sheet of a folded face does not.
     let near = 4.0 * family.setup.strip;
-    needs.iter().any(|need| {
+    let is_here = |need: &&Need| {
         let middle = 0.5 * (need.columns.0 + need.columns.1);
         let turns = family.column_period.map_or(0.0, |p| ((middle - column) / p).round() * p);
         (need.columns.0..=need.columns.1).contains(&(column + turns))
             && need.point.distance_squared(point) < near * near
-    })
+    };
+    needs.iter().filter(is_here).map(|need| need.strips).reduce(f64::max)
 }
 
-/// The pieces of `line` that lie in the columns of `needs`, with a node to either side.
-fn pieces(family: &Family, line: &IsoLine, needs: &[Need]) -> impl Iterator<Item = IsoLine> + use<> {
-    let wanted: Vec<bool> = line.nodes.iter().map(|&uv| covers(family, needs, uv)).collect();
+/// The pieces of `line` that lie in the columns of `needs` where so many `passes` close the gap, with a node to either side.
+fn pieces(
+    family: &Family,
+    line: &IsoLine,
+    needs: &[Need],
+    passes: usize,
+) -> impl Iterator<Item = IsoLine> + use<> {
+    let passes_at = |uv: &Uv| most_missing(family, needs, *uv).map_or(0, count);
+    let counts: Vec<usize> = line.nodes.iter().map(passes_at).collect();
+    let around = |i: usize| i.saturating_sub(AROUND)..(i + AROUND + 1).min(counts.len());
+    let is_wanted = |i: usize| counts[i] > 0 && counts[around(i)].iter().max() == Some(&passes);
+    let wanted: Vec<bool> = (0..counts.len()).map(is_wanted).collect();
     line.pieces(&wanted).into_iter().map(|(_, piece)| piece)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cutter::{Cutter, Tool};
+    use crate::geometry::{Face, Plane, Range, Side};
+    use crate::math::frame::Frame;
+    use crate::posture::Rule;
+    use crate::strategy::family::Detail;
+    use crate::strategy::{Finish, Order};
+    use crate::toolpath::Posture;
+
+    /// Steps of 0.98 strips between two lines as many apart: with halvings there would be one, three or seven passes.
+    #[test]
+    fn as_many_passes_close_a_gap_as_it_has_strips() {
+        let frame = Frame { f: DVec3::X, b: DVec3::Y, n: DVec3::Z };
+        let (u, v) = (Range::open(0.0, 20.0), Range::open(0.0, 40.0));
+        let face = Face::new(Plane { origin: DVec3::ZERO, frame, u, v }, Side::Front);
+        let tool = Tool { cutter: Cutter::bull_nose(10.0, 2.0, 40.0).unwrap(), holder: None };
+        let rule = Rule::Fixed(Posture { lead: 0.3, yaw: 0.0 });
+        let (finish, fields, stage) =
+            (Finish { scallop: 0.01, chord: 0.001 }, (Field::V, Field::U), Stage::silent());
+        let family = Family::new(&face, &tool, &rule, finish, fields, Order::Zig, &stage).unwrap();
+        let line = |level: f64| family.candidate(level, 0, Detail::Full, &stage).unwrap();
+        let strip = line(10.0).probes[0][3].depth().unwrap();
+        for passes in 0..8_u32 {
+            let apart = 0.98 * strip * f64::from(passes + 1);
+            let levels: Vec<f64> = tracks(&family, vec![line(10.0), line(10.0 + apart)], &stage)
+                .unwrap()
+                .iter()
+                .map(|track| track.level)
+                .collect();
+            assert_eq!(levels.len(), passes as usize + 2);
+            for step in levels.windows(2).map(|w| w[1] - w[0]) {
+                assert!((step - 0.98 * strip).abs() < 1e-9, "{step} {strip}");
+            }
+        }
+    }
 }

@@ -61,6 +61,16 @@ impl Probe {
             (Self::Blocked, _) => None,
         }
     }
+
+    /// How many levels the strip is deep; `None` where not both of its edges are on the face.
+    pub(super) fn depth(&self) -> Option<f64> {
+        match self {
+            Self::Strip { up: Reach::To { level: up, .. }, down: Reach::To { level: down, .. } } => {
+                (up > down).then_some(up - down)
+            }
+            _ => None,
+        }
+    }
 }
 
 impl Front {
@@ -185,7 +195,6 @@ impl Front {
     }
 
     /// The level of the front abreast of the point with this level and column.
-    #[cfg(feature = "flow")]
     pub(super) fn abreast(&self, level: f64, column: f64, point: DVec3) -> Option<f64> {
         self.level_abreast(&Corner { column, level, point })
     }
@@ -207,15 +216,6 @@ impl Front {
         let mut sorted: Vec<f64> = from_above.chain(from_below).collect();
         sort_numbers(&mut sorted);
         Gaps { sorted }
-    }
-
-    /// Whether the front is abreast of the point with this level and column, and then reaches it or beyond.
-    pub(super) fn meets(&self, level: f64, column: f64, point: DVec3, toward: Toward) -> Option<bool> {
-        let abreast = self.level_abreast(&Corner { column, level, point })?;
-        Some(match toward {
-            Toward::Higher => abreast >= level,
-            Toward::Lower => abreast <= level,
-        })
     }
 }
 
