@@ -11,7 +11,7 @@ use crate::monitor::{Cancelled, Stage};
 use crate::toolpath::Pass;
 
 /// Rounds in which short passes are added where something is left.
-const GLEANINGS: usize = 6;
+const GLEANINGS: usize = 12;
 /// Places looked at between the edges of the strips at neighbouring probes.
 const RIDGE: usize = 4;
 /// What a person reads meanwhile.

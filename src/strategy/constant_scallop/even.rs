@@ -17,8 +17,9 @@ use crate::strategy::probe::Setup;
 use crate::strategy::{Finish, Order, StrategyError};
 use std::sync::Arc;
 
-/// Over how many mean strips widths are evened out, in each way of which no formula tells which makes passes shorter.
-const OVER: [f64; 3] = [2.0, 4.0, 9.0];
+/// Over how many mean strips widths are evened out, in each way of which no formula tells which makes passes shorter; the less the more
+/// passes bend.
+const OVER: [f64; 3] = [9.0, 4.0, 2.0];
 /// Rounds in which postures, widths and the passes' direction come to agree; and after how many passes are laid, since more rounds
 /// may make them shorter or longer.
 const ROUNDS: usize = 4;

@@ -13,6 +13,9 @@ const CELL: f64 = 0.5;
 const CELLS: [usize; 2] = [24, 240];
 /// Over how many mean strips it is evened out to which side strips lie: courses may bend no more than strips follow.
 const MIDDLE: f64 = 0.3;
+/// Where strips are narrower, passes are spaced as if they were so wide, in mean strips, and partial passes fill in: lines that hold back
+/// along an edge would turn to run along it, where strips are narrower still.
+const NARROWEST: f64 = 0.25;
 
 /// The strips on a face along passes of one family.
 #[derive(Clone)]
@@ -79,7 +82,9 @@ impl Strips {
         let reach = self.reach(over);
         let even = self.at_nodes(&self.widths, reach, stage)?;
         let left_out = self.at_nodes(&self.widths.over(&even), reach, stage)?;
-        let slowness: Vec<f64> = even.iter().zip(left_out).map(|(even, more)| 1.0 / (even * more)).collect();
+        let least = NARROWEST * self.mean;
+        let slowness: Vec<f64> =
+            even.iter().zip(left_out).map(|(even, more)| 1.0 / (even * more).max(least)).collect();
         let nu = self.grid.size().0;
         let around =
             |i, j| [(i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)].map(|(i, j)| slowness[j * nu + i]);
