@@ -68,20 +68,10 @@ impl Family<'_> {
         if self.levels.periodic {
             return Ok(edge);
         }
-        let fits = |c: &Candidate| self.ends_family(c, Toward::Lower);
-        let mut best = edge;
-        let (mut inside, mut outside) = (0.0, farthest);
         // A thousandth of the first strip is nothing in the length of a path.
-        for _ in 0..12 {
-            let middle = 0.5 * (inside + outside);
-            let candidate = self.candidate(lo + middle, 0, Detail::Full, stage)?;
-            if fits(&candidate) {
-                (inside, best) = (middle, candidate);
-            } else {
-                outside = middle;
-            }
-        }
-        Ok(best)
+        let at = |inside: f64| self.candidate(lo + inside, 0, Detail::Full, stage);
+        let fits = |c: &Candidate| self.ends_family(c, Toward::Lower);
+        Ok(last_that((0.0, farthest), 12, at, fits)?.unwrap_or(edge))
     }
 
     /// The next pass after the one at `from`.
@@ -205,33 +195,29 @@ impl Family<'_> {
         index: usize,
         stage: &Stage,
     ) -> Result<Candidate, Cancelled> {
-        let (mut inside, mut outside) = (border, inner);
         let at = |level: f64| self.candidate(level, index, Detail::Full, stage);
-        for _ in 0..10 {
-            let middle = 0.5 * (inside + outside);
-            if at(middle)?.runs_over_border(toward) { inside = middle } else { outside = middle }
-        }
-        let farthest = at(inside)?;
+        let runs_over = |c: &Candidate| c.runs_over_border(toward);
+        let farthest = match last_that((border, inner), 10, at, runs_over)? {
+            Some(farthest) => farthest,
+            None => at(border)?,
+        };
         if farthest.lines.is_empty() {
             return self
                 .some_line((border, inner), toward, index, stage)
                 .map(|some| some.unwrap_or(farthest));
         }
         let out = if toward == Toward::Lower { -1.0 } else { 1.0 };
+        let inside = farthest.level;
         let nearer = |steps: f64| at(inside + out * steps * NEARER_BY * self.nominal);
         let ends = |c: &Candidate| c.lines.len() == farthest.lines.len() && self.ends_family(c, toward);
         for k in 0..NEARER {
-            let mut best = nearer(f64::from(k))?;
-            if !ends(&best) {
+            let last = nearer(f64::from(k))?;
+            if !ends(&last) {
                 continue;
             }
-            let (mut near, mut far) = (f64::from(k), f64::from(k) - 1.0);
-            for _ in 0..if k > 0 { NEARER_HALVINGS } else { 0 } {
-                let middle = 0.5 * (near + far);
-                let candidate = nearer(middle)?;
-                if ends(&candidate) { (near, best) = (middle, candidate) } else { far = middle }
-            }
-            return Ok(best);
+            let halvings = if k > 0 { NEARER_HALVINGS } else { 0 };
+            let between = (f64::from(k), f64::from(k) - 1.0);
+            return Ok(last_that(between, halvings, nearer, ends)?.unwrap_or(last));
         }
         Ok(farthest)
     }
@@ -275,21 +261,12 @@ impl Family<'_> {
         if self.has_courses() {
             return self.beside_border((from + step, from), Toward::Higher, index, stage);
         }
-        let mut best = match at_border {
-            Some(candidate) => candidate,
-            None => self.candidate(self.levels.hi, index, Detail::Full, stage)?,
-        };
-        let (mut outside, mut inside) = (0.0, step);
-        for _ in 0..10 {
-            let middle = 0.5 * (inside + outside);
-            let candidate = self.candidate(from + middle, index, Detail::Full, stage)?;
-            if self.ends_family(&candidate, Toward::Higher) {
-                (inside, best) = (middle, candidate);
-            } else {
-                outside = middle;
-            }
-        }
-        Ok(best)
+        let at = |step: f64| self.candidate(from + step, index, Detail::Full, stage);
+        let ends = |c: &Candidate| self.ends_family(c, Toward::Higher);
+        Ok(match (last_that((step, 0.0), 10, at, ends)?, at_border) {
+            (Some(last), _) | (None, Some(last)) => last,
+            (None, None) => self.candidate(self.levels.hi, index, Detail::Full, stage)?,
+        })
     }
 
     /// The last pass after `last` towards one side, the end of the levels less than a step away; `None` where no pass runs
@@ -303,19 +280,12 @@ impl Family<'_> {
         stage: &Stage,
     ) -> Result<Option<Candidate>, Cancelled> {
         let end = if toward == Toward::Higher { self.levels.hi } else { self.levels.lo };
-        let mut best = None;
-        let (mut outside, mut inside) = (0.0, 1.0);
-        for _ in 0..10 {
-            let middle = 0.5 * (inside + outside);
-            let level = last.level + middle * (end - last.level);
-            let candidate = self.candidate(level, index, Detail::Full, stage)?;
-            if !candidate.lines.is_empty() && self.ends_family(&candidate, toward) {
-                (inside, best) = (middle, Some(candidate));
-            } else {
-                outside = middle;
-            }
-        }
-        Ok(best)
+        let at = |share: f64| {
+            let level = last.level + share * (end - last.level);
+            self.candidate(level, index, Detail::Full, stage)
+        };
+        let ends = |c: &Candidate| !c.lines.is_empty() && self.ends_family(c, toward);
+        last_that((1.0, 0.0), 10, at, ends)
     }
 
     /// Whether nothing is left beyond the pass on that side: its strips run over the border everywhere, and what a family
@@ -324,6 +294,22 @@ impl Family<'_> {
         let ends_in_corner = matches!(self.setup.field, Field::Along(_) | Field::Given(_));
         candidate.runs_over_border(toward) && (!ends_in_corner || self.cuts_beyond(candidate, toward))
     }
+}
+
+/// The candidate last found to hold by so many halvings between where one surely does and where none may; `None` where none did.
+fn last_that(
+    (mut holding, mut failing): (f64, f64),
+    halvings: usize,
+    at: impl Fn(f64) -> Result<Candidate, Cancelled>,
+    holds: impl Fn(&Candidate) -> bool,
+) -> Result<Option<Candidate>, Cancelled> {
+    let mut last = None;
+    for _ in 0..halvings {
+        let middle = 0.5 * (holding + failing);
+        let candidate = at(middle)?;
+        if holds(&candidate) { (holding, last) = (middle, Some(candidate)) } else { failing = middle }
+    }
+    Ok(last)
 }
 
 #[cfg(test)]
