@@ -21,7 +21,7 @@ impl Saving {
         let samples = Samples::of_face(face, spacing).unwrap();
         let (beyond, border) = (plans.map(Plan::unreached), border(face));
         Self {
-            lengths: [length(plans[0], beyond[1]), length(plans[1], beyond[0])],
+            lengths: plans.map(|plan| length(plan, beyond)),
             allowed: plans.map(|plan| allowed(plan, &samples, beyond, &border)),
         }
     }
@@ -37,10 +37,12 @@ impl Saving {
     }
 }
 
-/// Length of the cutting moves that end outside of `beyond`, mm.
-fn length(plan: &Plan, beyond: &Zone) -> f64 {
+/// Length of the cutting moves that end outside of both of `beyond`, mm: what a plan cuts on ground that it does not finish saves the
+/// other nothing.
+fn length(plan: &Plan, beyond: [&Zone; 2]) -> f64 {
     let moves = plan.emitted.toolpath.moves.windows(2).zip(&plan.touches[1..]);
-    let counts = moves.filter(|(w, touch)| w[1].role == Role::Cut && !beyond.contains(touch.point));
+    let is_common = |point: DVec3| !beyond.iter().any(|zone| zone.contains(point));
+    let counts = moves.filter(|(w, touch)| w[1].role == Role::Cut && is_common(touch.point));
     counts.map(|(w, _)| w[0].to.tip.distance(w[1].to.tip)).sum()
 }
 
