@@ -27,8 +27,8 @@ const LAID: usize = 3;
 /// Where the face's area in strips is more than so many times what passes may be long, they are not laid: it counts what the cutter
 /// cannot reach as well, and by the way of the contact.
 const MARGIN: f64 = 1.05;
-/// Passes that leave something and still come out more than so many times as long as their lines are broken into pieces (on BladeX
-/// 1.7 to 2.9 times, in each way): no other way is laid.
+/// Passes that leave something and still come out more than so many times as long as their lines are broken into pieces (on BladeX over
+/// few strips 1.7 to 2.9 times): what bends more is not laid.
 const BROKEN: f64 = 1.5;
 
 /// The passes offset from the line of `seed` to both sides, the shorter ones of those that leave nothing; none where all come out
