@@ -30,6 +30,14 @@ struct Need {
     strips: f64,
 }
 
+impl Need {
+    /// So many strips in the columns between two neighbouring nodes of a line.
+    fn between(family: &Family, [first, second]: [Uv; 2], strips: f64) -> Self {
+        let ((a, point), (b, _)) = (column(family, first), column(family, second));
+        Self { columns: (a.min(b), a.max(b)), point, strips }
+    }
+}
+
 /// `placed` with partial passes put between neighbours, in the order of their levels.
 pub(super) fn tracks(
     family: &Family,
@@ -71,7 +79,9 @@ fn insert(
         return Ok(());
     }
     let most = needs.iter().map(|need| count(need.strips)).fold(1, usize::max);
-    for passes in 1..=most {
+    // Lines are traced only for numbers of passes that some columns need.
+    let is_needed = |passes: &usize| needs.iter().any(|need| count(need.strips) == *passes);
+    for passes in (1..=most).filter(is_needed) {
         let level = first_of(passes, [lower.level, upper.level]);
         let lines = family.lines_of(level, lower.reversed);
         let lines = lines.iter().flat_map(|line| pieces(family, line, &needs, passes));
@@ -127,9 +137,7 @@ fn needs(
             let open: Vec<Option<f64>> = (0..probes.len()).map(open).collect();
             for i in 0..open.len().saturating_sub(1) {
                 if let Some(strips) = open[i].into_iter().chain(open[i + 1]).reduce(f64::max) {
-                    let (a, point) = column(family, line.nodes[i]);
-                    let (b, _) = column(family, line.nodes[i + 1]);
-                    found.push(Need { columns: (a.min(b), a.max(b)), point, strips });
+                    found.push(Need::between(family, [line.nodes[i], line.nodes[i + 1]], strips));
                 }
             }
         }
@@ -167,13 +175,8 @@ fn column(family: &Family, uv: Uv) -> (f64, DVec3) {
 }
 
 /// The columns of `line`.
-fn columns_of(family: &Family, line: &IsoLine) -> Vec<Need> {
-    let columns: Vec<_> = line.nodes.iter().map(|uv| column(family, *uv)).collect();
-    let need = |w: &[(f64, DVec3)]| {
-        let (a, b) = (w[0].0, w[1].0);
-        Need { columns: (a.min(b), a.max(b)), point: w[0].1, strips: 1.0 }
-    };
-    columns.windows(2).map(need).collect()
+fn columns_of(family: &Family, line: &IsoLine) -> impl Iterator<Item = Need> {
+    line.nodes.windows(2).map(|w| Need::between(family, [w[0], w[1]], 1.0))
 }
 
 /// Whether the point at `uv` lies in one of the columns of `needs`.
