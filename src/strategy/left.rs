@@ -5,6 +5,7 @@ use crate::contact::Body;
 use crate::cutter::Cutter;
 use crate::geometry::Uv;
 use crate::math::bvh::{Aabb, Bvh};
+use crate::math::order::{rank, sort_by_key};
 use crate::toolpath::{ClPoint, Pass, Station};
 use glam::DVec3;
 use std::ops::Range;
@@ -15,6 +16,8 @@ const LEAF: usize = 4;
 const MISS: f64 = 0.005;
 /// How far from where they touch it is looked for what moves cut, in strips, the widest of them.
 const WIDE: f64 = 0.75;
+/// Ways that count as none, mm.
+const ROUNDING: f64 = 1e-9;
 /// Steps of that search at most, each to two thirds of the last.
 const THIRDS: usize = 40;
 
@@ -88,6 +91,36 @@ impl<'a> Moves<'a> {
         self.tree.highest(0.0, bound, found) > 0.0
     }
 
+    /// The moves of which `part` has something that may cut within `reach` (mm) of `middle`, asked at once for many places there; those
+    /// that touch farther than `wide` (mm) from all of them are left out.
+    pub(super) fn near<'p>(
+        &self,
+        (middle, reach): (DVec3, f64),
+        wide: f64,
+        part: impl Fn(usize) -> Option<&'p Part>,
+    ) -> Near<'_> {
+        let mut found = Vec::new();
+        let mut open = vec![0];
+        while let Some(node) = open.pop() {
+            let far = wide + reach;
+            if self.tree.boxes()[node].distance_squared(middle) >= far * far {
+                continue;
+            }
+            open.extend(self.tree.children(node).into_iter().flatten());
+            for place in self.tree.leaf(node).into_iter().flatten() {
+                let k = self.tree.order()[place] as usize;
+                let Some(part) = part(k) else { continue };
+                // From one place to another the distance from a cutter changes by no more than the way between them.
+                let away = part.middle.distance(middle) - part.most;
+                if away <= reach + ROUNDING {
+                    found.push((away, Candidate { leaf: node, number: k }));
+                }
+            }
+        }
+        sort_by_key(&mut found, |(away, Candidate { number, .. })| (rank(*away), *number as u32));
+        Near { moves: self, wide, candidates: found.into_iter().map(|(_, candidate)| candidate).collect() }
+    }
+
     /// A straight move, ready to be asked what it cuts.
     pub(super) fn part(&self, ends: [Station; 2]) -> Part {
         Part::new(self.setup, &self.body, ends)
@@ -130,6 +163,37 @@ impl<'a> Moves<'a> {
             *(if at_one < at_two { &mut high } else { &mut low }) = if at_one < at_two { two } else { one };
         }
         away(0.0) <= 0.0 || away(1.0) <= 0.0
+    }
+}
+
+/// The moves that may cut something at places near one another.
+pub(super) struct Near<'m> {
+    moves: &'m Moves<'m>,
+    /// Moves that touch farther than this from a place are not looked at, mm.
+    wide: f64,
+    /// Those that reach deepest first.
+    candidates: Vec<Candidate>,
+}
+
+/// A move, and the leaf of the tree that holds it.
+struct Candidate {
+    leaf: usize,
+    number: usize,
+}
+
+impl Near<'_> {
+    /// As [`Moves::find`] does among all moves.
+    pub(super) fn find<'p>(
+        &self,
+        (point, top): (DVec3, DVec3),
+        part: impl Fn(usize) -> Option<&'p Part>,
+        mut is_enough: impl FnMut(usize) -> bool,
+    ) -> bool {
+        let Self { moves, wide, candidates } = self;
+        candidates.iter().any(|&Candidate { leaf, number }| {
+            let is_beside = moves.tree.boxes()[leaf].distance_squared(point) < wide * wide;
+            is_beside && part(number).is_some_and(|part| moves.cuts(part, top)) && is_enough(number)
+        })
     }
 }
 
@@ -177,6 +241,60 @@ impl Part {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cutter::Tool;
+    use crate::geometry::{Cylinder, Face, Field, Side};
+    use crate::math::frame::Frame;
+    use crate::monitor::Stage;
+    use crate::posture::Rule;
+    use crate::strategy::family::Family;
+    use crate::strategy::{Finish, Order, walk};
+    use crate::toolpath::Posture;
+    use std::sync::Arc;
+
+    /// Asked for at once, places near one another are cut by the moves that cut each, whether those are near or far.
+    #[test]
+    fn near_moves_are_all_that_cut() {
+        let frame = Frame { f: DVec3::X, b: DVec3::Y, n: DVec3::Z };
+        let tube = Cylinder::new(DVec3::ZERO, frame, 6.0, [0.0, 1.5], [0.0, 8.0]).unwrap();
+        let face = Face { surface: Arc::new(tube), side: Side::Front };
+        let tool = Tool { cutter: Cutter::bull_nose(10.0, 2.0, 40.0).unwrap(), holder: None };
+        let rule = Rule::Fixed(Posture { lead: 0.1, yaw: 0.0 });
+        let (finish, stage) = (Finish { scallop: 0.01, chord: 0.001 }, Stage::silent());
+        let fields = (Field::U, Field::V);
+        let family = Family::new(&face, &tool, &rule, finish, fields, Order::Zig, &stage).unwrap();
+        let lines = (0..30).flat_map(|k| family.lines_of(0.05 * f64::from(k) + 0.02, false));
+        let passes: Vec<Pass> = lines.flat_map(|line| walk::passes(&family.setup, &line, false)).collect();
+        let moves = Moves::new(&family.setup, passes.iter());
+        let part = |k: usize| moves.all().get(k).filter(|_| !k.is_multiple_of(3));
+        let (wide, mut most) = (3.0, 0);
+        for group in 0..40_usize {
+            let place = |i: usize| {
+                let uv = Uv::new(0.1 + 0.03 * group as f64 + 0.01 * i as f64, 1.0 + 0.15 * group as f64);
+                let (jet, normal) = face.at(uv).unwrap();
+                (jet.p, jet.p + normal * 0.01)
+            };
+            let places: Vec<_> = (0..4).map(place).collect();
+            let around = Aabb::around(places.iter().flat_map(|&(point, top)| [point, top]));
+            let near = moves.near((around.center(), 0.5 * around.lo.distance(around.hi)), wide, part);
+            assert!(near.candidates.len() < moves.all().len() / 2);
+            for place in places {
+                let [mut one, mut all] = [Vec::new(), Vec::new()];
+                near.find(place, part, |k| {
+                    one.push(k);
+                    false
+                });
+                moves.find(place, wide, part, |k| {
+                    all.push(k);
+                    false
+                });
+                one.sort_unstable();
+                all.sort_unstable();
+                assert_eq!(one, all);
+                most = most.max(all.len());
+            }
+        }
+        assert!(most > 2);
+    }
 
     #[test]
     fn what_is_convex_stays_above_what_three_places_say() {

@@ -5,7 +5,7 @@
 //! needs is taken away.
 
 use super::family::Family;
-use super::left::{Moves, Part};
+use super::left::{Moves, Near, Part};
 use super::places;
 use crate::geometry::Uv;
 use crate::math::bvh::{Aabb, Bvh};
@@ -36,6 +36,8 @@ const SAFE: f64 = 0.04;
 const HALVINGS: usize = 6;
 /// The widest strip that counts, in strips on flat ground.
 const WIDE: f64 = 4.0;
+/// Places that are asked at once what cuts them.
+const GROUP: usize = 32;
 /// Items in a leaf of a tree.
 const LEAF: usize = 8;
 
@@ -170,7 +172,7 @@ impl<'a> Trim<'a> {
         let mut stays: Vec<bool> = self.left.iter().map(Option::is_some).collect();
         windows.iter().for_each(|window| stays[window.clone()].fill(false));
         let places = self.places(&near, edges);
-        let open = stage.map(places.len(), |k| self.open(places[k], &stays))?;
+        let open = stage.map(places.len(), |k| self.open(&places[k], &stays))?;
         let open: Vec<Open> = open.into_iter().flatten().collect();
         let of_ends = self.sorted_by_end(&open, ends, &windows);
         let mut gone = Vec::new();
@@ -193,13 +195,19 @@ impl<'a> Trim<'a> {
         Ok(gone)
     }
 
+    /// Those of `places`, which lie near one another, that moves cut of which none stays, with those.
+    fn open(&self, places: &[Place], stays: &[bool]) -> Vec<Open> {
+        let around = self.around_places(places.iter(), 1.0);
+        let near = self.moves.near(around, self.wide, |k| self.left[k].as_ref());
+        places.iter().filter_map(|place| self.open_place(*place, &near, stays)).collect()
+    }
+
     /// `place` with the moves that cut it, if none of those does that stay; with the whole limit where none cuts lower.
-    fn open(&self, place: Place, stays: &[bool]) -> Option<Open> {
+    fn open_place(&self, place: Place, near: &Near, stays: &[bool]) -> Option<Open> {
         for share in [place.share, 1.0] {
             let (place, mut cutters) = (Place { share, ..place }, Vec::new());
-            let stays_cut = self.moves.find(
-                (place.point, self.top(&place)),
-                self.wide,
+            let stays_cut = near.find(
+                self.asked(&place),
                 |k| self.left[k].as_ref(),
                 |k| {
                     cutters.push(k);
@@ -238,11 +246,20 @@ impl<'a> Trim<'a> {
 
     /// Whether what is left of the moves leaves no more at a place than may be.
     fn cut(&self, place: &Place) -> bool {
-        self.moves.cut((place.point, self.top(place)), self.wide, |k| self.left[k].as_ref())
+        self.moves.cut(self.asked(place), self.wide, |k| self.left[k].as_ref())
     }
 
-    fn top(&self, place: &Place) -> DVec3 {
-        place.point + place.normal * (place.share * self.family.setup.finish.scallop)
+    /// A place, and what above it must be taken away.
+    fn asked(&self, place: &Place) -> (DVec3, DVec3) {
+        let Place { point, normal, share } = *place;
+        (point, point + normal * (share * self.family.setup.finish.scallop))
+    }
+
+    /// The middle of some places and of what lies above them by up to a share of the limit, and how far from it that reaches, mm.
+    fn around_places<'p>(&self, places: impl Iterator<Item = &'p Place>, share: f64) -> (DVec3, f64) {
+        let ends = |place: &Place| <[DVec3; 2]>::from(self.asked(&Place { share, ..*place }));
+        let around = Aabb::around(places.flat_map(ends));
+        (around.center(), 0.5 * around.lo.distance(around.hi))
     }
 
     /// The moves at an end that are looked at.
@@ -284,8 +301,8 @@ impl<'a> Trim<'a> {
         Aabb { lo: tight.lo - margin, hi: tight.hi + margin }
     }
 
-    /// Places in the cells and on the edges that meet one of `boxes`.
-    fn places(&self, boxes: &[Aabb], edges: &[[Uv; 2]]) -> Vec<Place> {
+    /// Places in the cells and on the edges that meet one of `boxes`, in groups that lie near one another.
+    fn places(&self, boxes: &[Aabb], edges: &[[Uv; 2]]) -> Vec<Vec<Place>> {
         let tree = Bvh::new(boxes, LEAF);
         let face = self.family.setup.face;
         let is_in_reach = |edge: &&[Uv; 2]| {
@@ -296,10 +313,15 @@ impl<'a> Trim<'a> {
             };
             tree.highest(0.0, |node| meets(&tree.boxes()[node]), any) > 0.0
         };
-        let inside = self.cells_near(boxes).into_iter().flat_map(|cell| self.family.places_in(cell, PARTS));
+        let cells = self.cells_near(boxes);
+        let inside = cells.iter().flat_map(|&cell| {
+            let places = self.family.places_in(cell, PARTS);
+            places.chunks(GROUP).map(<[Uv]>::to_vec).collect::<Vec<_>>()
+        });
         let edges = edges.iter().filter(is_in_reach);
-        let edges = edges.flat_map(|&[a, b]| (0..EDGE).map(move |k| places::between(a, b, k, EDGE)));
-        inside.chain(edges).filter_map(|uv| self.place(uv, SHARE)).collect()
+        let edges = edges.map(|&[a, b]| (0..EDGE).map(|k| places::between(a, b, k, EDGE)).collect());
+        let places = |group: Vec<Uv>| group.into_iter().filter_map(|uv| self.place(uv, SHARE)).collect();
+        inside.chain(edges).map(places).collect()
     }
 
     /// The cells that meet one of `boxes`.
@@ -320,8 +342,8 @@ impl<'a> Trim<'a> {
     /// The last move of a window, counted from inside, that a place needs, and the share of it; nothing if something else still cuts
     /// it, or nothing does.
     fn needed(&self, end: &End, window: &Range<usize>, open: &Open) -> Option<(usize, f64)> {
-        let (top, (mine, others)) =
-            (self.top(&open.place), open.cutters.iter().partition::<Vec<usize>, _>(|k| window.contains(k)));
+        let (_, top) = self.asked(&open.place);
+        let (mine, others) = open.cutters.iter().partition::<Vec<usize>, _>(|k| window.contains(k));
         let cuts = |part: &Part| self.moves.cuts(part, top);
         if others.iter().any(|&k| self.left[k].as_ref().is_some_and(cuts)) {
             return None;

@@ -38,8 +38,7 @@ impl Trim<'_> {
         };
         let boxes: Vec<Aabb> = gone.all().iter().map(around).collect();
         let cells = self.cells_near(&boxes);
-        let was_cut =
-            |place: &Place| gone.cut((place.point, self.top(place)), self.wide, |k| gone.all().get(k));
+        let was_cut = |place: &Place| gone.cut(self.asked(place), self.wide, |k| gone.all().get(k));
         let is_high = |uv| {
             let place = |share| self.place(uv, share);
             place(AT_MOST).is_some_and(|place| was_cut(&place))
@@ -68,10 +67,10 @@ impl Trim<'_> {
         for place in lost {
             stage.at(0.0)?;
             if !self.cut(place) {
-                let top = self.top(place);
+                let (point, top) = self.asked(place);
                 let mut ways = Vec::new();
                 let all = |k: usize| self.moves.all().get(k);
-                self.moves.find((place.point, top), self.wide, all, |k| {
+                self.moves.find((point, top), self.wide, all, |k| {
                     ways.push(self.way_to(k));
                     false
                 });
