@@ -16,7 +16,9 @@ const CLOSER: [usize; 2] = [4, 8];
 /// Where more than this share of it is left at one of those, places about it lie so many times closer together once more: where
 /// curves that bend begin, more than the limit is left on spots smaller than an eighth of a strip.
 const NEARLY: f64 = 0.9;
-const CLOSEST: usize = 3;
+/// The more times where less than this share of it is left right beside: along an edge that is rolled over tightly cusps are steep.
+const STEEP: f64 = 0.7;
+const CLOSEST: [usize; 2] = [3, 12];
 /// The share of the limit that the very ridges of cusps may reach, which strips that meet edge to edge leave at the limit: 1.00
 /// of it, as far as that is written.
 const ON_RIDGE: f64 = 1.004;
@@ -55,22 +57,8 @@ impl Family<'_> {
         let at = |share: f64| move |uv: Uv| Look { uv, most: share * limit };
         let [plain, close] = self.patches();
         let mut looks: Vec<Look> = plain.iter().chain(&close).map(|patch| at(1.0)(patch.low)).collect();
-        // Near what is high already more may be left between the places.
-        for patches in [&close, &plain] {
-            let is_high = |patch: &Patch| patch.corners().iter().any(|uv| moves.leave(*uv, HIGH * limit));
-            let is_high = stage.quiet().map(patches.len(), |k| is_high(&patches[k]))?;
-            let high = patches.iter().zip(is_high).filter(|(_, is_high)| *is_high);
-            let parts: Vec<Patch> = high.flat_map(|(patch, _)| patch.parts(CLOSER[0])).collect();
-            let side = |k: usize| {
-                let leaves = |share: f64| moves.leave(parts[k].middle(), share * limit);
-                if leaves(1.0) { 1 } else { usize::from(leaves(NEARLY)) * CLOSEST }
-            };
-            let sides = stage.quiet().map(parts.len(), side)?;
-            let sides = parts.iter().zip(sides);
-            looks.extend(sides.flat_map(|(part, side)| {
-                // So close together they meet the very ridges.
-                part.places(side).map(at(if side > 1 { ON_RIDGE } else { 1.0 }))
-            }));
+        for (patches, is_close) in [(&close, true), (&plain, false)] {
+            looks.extend(self.high_looks((patches, is_close), moves, stage)?);
         }
         let border = self.border();
         let is_high = |[a, b]: [Uv; 2]| moves.leave(a, HIGH * limit) || moves.leave(b, HIGH * limit);
@@ -81,6 +69,44 @@ impl Family<'_> {
         looks.extend(others.iter().copied().map(at(1.0)));
         looks.extend(ridges.iter().copied().map(at(ON_RIDGE)));
         Ok(looks)
+    }
+
+    /// Places near what is high already in `patches`, between whose corners more may be left; where those lie close to each other
+    /// cusps may be steep.
+    fn high_looks(
+        &self,
+        (patches, is_close): (&[Patch], bool),
+        moves: &Moves,
+        stage: &Stage,
+    ) -> Result<Vec<Look>, Cancelled> {
+        let limit = self.setup.finish.scallop;
+        // Corners may lie on either side of a cusp.
+        let asked = |patch: &Patch| patch.corners().into_iter().chain([patch.middle()]);
+        let leaves = |uv: Uv, share: f64| moves.leave(uv, share * limit);
+        let is_high = |k: usize| asked(&patches[k]).any(|uv| leaves(uv, HIGH));
+        let is_high = stage.quiet().map(patches.len(), is_high)?;
+        let high = patches.iter().zip(is_high).filter(|(_, is_high)| *is_high);
+        let parts: Vec<Patch> = high.flat_map(|(patch, _)| patch.parts(CLOSER[0])).collect();
+        let side = |k: usize| {
+            let (part, middle) = (&parts[k], parts[k].middle());
+            let is_nearly = || leaves(middle, NEARLY) || is_close && asked(part).any(|uv| leaves(uv, NEARLY));
+            let is_steep = || is_close && !asked(part).all(|uv| leaves(uv, STEEP));
+            if leaves(middle, 1.0) {
+                1
+            } else if is_nearly() {
+                CLOSEST[usize::from(is_steep())]
+            } else {
+                0
+            }
+        };
+        let sides = stage.quiet().map(parts.len(), side)?;
+        // So close together they meet the very ridges.
+        let most = |side: usize| limit * if side > 1 { ON_RIDGE } else { 1.0 };
+        let looks = parts
+            .iter()
+            .zip(sides)
+            .flat_map(|(part, side)| part.places(side).map(move |uv| Look { uv, most: most(side) }));
+        Ok(looks.collect())
     }
 
     /// Those of `looks` where `moves` leave more than they should: where the cutter can go, and where it cannot.
@@ -233,4 +259,83 @@ fn to_way(a: DVec3, b: DVec3, p: DVec3) -> f64 {
     let way = b - a;
     let along = (p - a).dot(way) / way.length_squared();
     p.distance(a + way * if along > 0.0 { along.min(1.0) } else { 0.0 })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cutter::{Cutter, Tool};
+    use crate::geometry::{Face, Field, NurbsSurface, Side};
+    use crate::posture::Rule;
+    use crate::strategy::{Finish, Order, walk};
+    use crate::toolpath::Posture;
+    use std::sync::Arc;
+
+    /// A flat face, so many mm long and wide, and the radius of the round edge, a quarter, that it ends in.
+    const FLAT: f64 = 12.0;
+    const WIDE: f64 = 2.0;
+    const ROUND: f64 = 0.8;
+
+    fn rolled() -> Face {
+        let arc = std::f64::consts::FRAC_PI_2 * ROUND;
+        let across = [0.0, 0.0, 0.0, FLAT, FLAT, FLAT + arc, FLAT + arc, FLAT + arc];
+        let knots = [across.to_vec(), vec![0.0, 0.0, 1.0, 1.0]];
+        let half = std::f64::consts::FRAC_1_SQRT_2;
+        let profile = [
+            (-FLAT, 0.0, 1.0),
+            (-0.5 * FLAT, 0.0, 1.0),
+            (0.0, 0.0, 1.0),
+            (ROUND, 0.0, half),
+            (ROUND, -ROUND, 1.0),
+        ];
+        let points: Vec<DVec3> =
+            profile.iter().flat_map(|&(x, z, _)| [0.0, WIDE].map(|y| DVec3::new(x, y, z))).collect();
+        let weights: Vec<f64> = profile.iter().flat_map(|&(.., weight)| [weight; 2]).collect();
+        let surface = NurbsSurface::new([2, 1], knots, &points, Some(&weights)).unwrap();
+        Face { surface: Arc::new(surface), side: Side::Front }
+    }
+
+    /// Two passes along a round edge leave a ridge between them that is a fiftieth of a strip wide where it is too high: it is looked at
+    /// wherever between the nodes of a grid it lies.
+    #[test]
+    fn the_ridge_on_a_round_edge_is_looked_at() {
+        let (face, stage) = (rolled(), Stage::silent());
+        let tool = Tool { cutter: Cutter::bull_nose(10.0, 2.0, 40.0).unwrap(), holder: None };
+        let rule = Rule::Fixed(Posture { lead: 0.3, yaw: 0.0 });
+        let (finish, fields) = (Finish { scallop: 0.01, chord: 0.001 }, (Field::U, Field::V));
+        let family = Family::new(&face, &tool, &rule, finish, fields, Order::Zig, &stage).unwrap();
+        let between = |middle: f64, apart: f64| {
+            let lines = [-0.5, 0.5].map(|k| family.lines_of(middle + k * apart, false));
+            let passes: Vec<_> =
+                lines.iter().flatten().flat_map(|line| walk::passes(&family.setup, line, false)).collect();
+            Moves::new(&family.setup, passes.iter())
+        };
+        // The most that is left between two passes, in scallops, nearly.
+        let most = |moves: &Moves, middle: f64| {
+            let leaves = |share: f64| {
+                (-60..=60).any(|k| moves.leave(Uv::new(middle + 5e-4 * f64::from(k), 0.5), share * 0.01))
+            };
+            let (mut low, mut high) = (0.5, 2.0);
+            while high - low > 4e-3 {
+                let share = 0.5 * (low + high);
+                *(if leaves(share) { &mut low } else { &mut high }) = share;
+            }
+            low
+        };
+        for k in 0..4 {
+            let middle = FLAT + 0.5 + 0.041 * f64::from(k);
+            let (mut near, mut far) = (0.1, 0.4);
+            while far - near > 1e-3 {
+                let apart = 0.5 * (near + far);
+                *(if most(&between(middle, apart), middle) > 1.1 { &mut far } else { &mut near }) = apart;
+            }
+            let moves = between(middle, near);
+            assert!((most(&moves, middle) - 1.1).abs() < 0.02, "{middle}");
+            let looks = family.looks(&moves, (&[], &[]), &stage).unwrap();
+            let [open, _] = family.left(&looks, &moves, &stage).unwrap();
+            let is_ridge =
+                |look: &&Look| (look.uv.u - middle).abs() < 0.02 && look.uv.v > 0.2 && look.uv.v < 0.8;
+            assert!(open.iter().any(|look| is_ridge(&look)), "{middle}");
+        }
+    }
 }
