@@ -14,6 +14,8 @@ use crate::toolpath::Pass;
 const GLEANINGS: usize = 12;
 /// Places looked at between the edges of the strips at neighbouring probes.
 const RIDGE: usize = 4;
+/// Shorter passes are slivers, in strips.
+const SLIVER: f64 = 0.1;
 /// What a person reads meanwhile.
 const FILL: &str = "Filling gaps";
 
@@ -98,7 +100,8 @@ pub(super) fn followed(
     // The part and the level of each.
     let mut ways = Vec::new();
     for (k, part) in parts.iter().enumerate() {
-        passes.extend(part.family.walk(&part.tracks, &share("Following the surface", 0.0, 0.5, k))?);
+        let walked = part.family.walk(&part.tracks, &share("Following the surface", 0.0, 0.5, k))?;
+        passes.extend(walked.into_iter().map(|passes| part.family.without_slivers(passes)));
         ways.extend(part.tracks.iter().map(|track| (k, track.level)));
     }
     if passes.iter().all(Vec::is_empty) {
@@ -219,6 +222,15 @@ impl Family<'_> {
         }
         nodes = whole.nodes[first..=end].to_vec();
         IsoLine { nodes, ..*line }
+    }
+
+    /// `passes` without those that are hardly more than a place, where postures are chosen: beside what the cutter can just not reach
+    /// they come by the thousand, and what they would cut is looked for afterwards.
+    fn without_slivers(&self, mut passes: Vec<Pass>) -> Vec<Pass> {
+        if !self.setup.postures.is_fixed() {
+            passes.retain(|pass| pass.length() > SLIVER * self.setup.strip);
+        }
+        passes
     }
 
     /// The passes on the lines of each of `tracks`.
