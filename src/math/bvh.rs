@@ -179,11 +179,23 @@ impl Bvh {
     /// Calls `item` with the place in [`Bvh::order`] of every item in a leaf whose box, and all boxes above it, `enter`
     /// accepts.
     pub fn visit_places(&self, enter: impl Fn(&Aabb) -> bool, mut item: impl FnMut(usize)) {
-        let bound = |node: usize| if enter(&self.boxes[node]) { 1.0 } else { -1.0 };
-        self.highest(0.0, bound, |places, best| {
-            places.for_each(&mut item);
-            best
-        });
+        self.visit_leaves(enter, |_, places| places.for_each(&mut item));
+    }
+
+    /// Calls `leaf` with the node and the places in [`Bvh::order`] of every leaf whose box, and all boxes above it, `enter`
+    /// accepts.
+    pub fn visit_leaves(&self, enter: impl Fn(&Aabb) -> bool, mut leaf: impl FnMut(usize, Range<usize>)) {
+        let mut open = vec![0];
+        while let Some(node) = open.pop() {
+            if !enter(&self.boxes[node]) {
+                continue;
+            }
+            match self.leaf(node) {
+                Some(places) => leaf(node, places),
+                // The first child comes first.
+                None => open.extend(self.children(node).into_iter().flatten().rev()),
+            }
+        }
     }
 }
 

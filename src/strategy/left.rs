@@ -99,26 +99,23 @@ impl<'a> Moves<'a> {
         wide: f64,
         part: impl Fn(usize) -> Option<&'p Part>,
     ) -> Near<'_> {
+        let far = wide + reach;
         let mut found = Vec::new();
-        let mut open = vec![0];
-        while let Some(node) = open.pop() {
-            let far = wide + reach;
-            if self.tree.boxes()[node].distance_squared(middle) >= far * far {
-                continue;
-            }
-            open.extend(self.tree.children(node).into_iter().flatten());
-            for place in self.tree.leaf(node).into_iter().flatten() {
-                let k = self.tree.order()[place] as usize;
-                let Some(part) = part(k) else { continue };
-                // From one place to another the distance from a cutter changes by no more than the way between them.
-                let away = part.middle.distance(middle) - part.most;
-                if away <= reach + ROUNDING {
-                    found.push((away, Candidate { leaf: node, number: k }));
+        self.tree.visit_leaves(
+            |leaf| leaf.distance_squared(middle) < far * far,
+            |leaf, places| {
+                for k in self.tree.order()[places].iter().map(|&k| k as usize) {
+                    let Some(part) = part(k) else { continue };
+                    // From one place to another the distance from a cutter changes by no more than the way between them.
+                    let away = part.middle.distance(middle) - part.most;
+                    if away <= reach + ROUNDING {
+                        found.push((away, (leaf, k)));
+                    }
                 }
-            }
-        }
-        sort_by_key(&mut found, |(away, Candidate { number, .. })| (rank(*away), *number as u32));
-        Near { moves: self, wide, candidates: found.into_iter().map(|(_, candidate)| candidate).collect() }
+            },
+        );
+        sort_by_key(&mut found, |(away, (_, k))| (rank(*away), *k as u32));
+        Near { moves: self, wide, found: found.into_iter().map(|(_, found)| found).collect() }
     }
 
     /// A straight move, ready to be asked what it cuts.
@@ -171,14 +168,8 @@ pub(super) struct Near<'m> {
     moves: &'m Moves<'m>,
     /// Moves that touch farther than this from a place are not looked at, mm.
     wide: f64,
-    /// Those that reach deepest first.
-    candidates: Vec<Candidate>,
-}
-
-/// A move, and the leaf of the tree that holds it.
-struct Candidate {
-    leaf: usize,
-    number: usize,
+    /// The leaf of the tree and the number of each, those that reach deepest first.
+    found: Vec<(usize, usize)>,
 }
 
 impl Near<'_> {
@@ -189,10 +180,10 @@ impl Near<'_> {
         part: impl Fn(usize) -> Option<&'p Part>,
         mut is_enough: impl FnMut(usize) -> bool,
     ) -> bool {
-        let Self { moves, wide, candidates } = self;
-        candidates.iter().any(|&Candidate { leaf, number }| {
+        let Self { moves, wide, found } = self;
+        found.iter().any(|&(leaf, k)| {
             let is_beside = moves.tree.boxes()[leaf].distance_squared(point) < wide * wide;
-            is_beside && part(number).is_some_and(|part| moves.cuts(part, top)) && is_enough(number)
+            is_beside && part(k).is_some_and(|part| moves.cuts(part, top)) && is_enough(k)
         })
     }
 }
@@ -276,7 +267,7 @@ mod tests {
             let places: Vec<_> = (0..4).map(place).collect();
             let around = Aabb::around(places.iter().flat_map(|&(point, top)| [point, top]));
             let near = moves.near((around.center(), 0.5 * around.lo.distance(around.hi)), wide, part);
-            assert!(near.candidates.len() < moves.all().len() / 2);
+            assert!(near.found.len() < moves.all().len() / 2);
             for place in places {
                 let [mut one, mut all] = [Vec::new(), Vec::new()];
                 near.find(place, part, |k| {

@@ -197,7 +197,7 @@ impl<'a> Trim<'a> {
 
     /// Those of `places`, which lie near one another, that moves cut of which none stays, with those.
     fn open(&self, places: &[Place], stays: &[bool]) -> Vec<Open> {
-        let around = self.around_places(places.iter(), 1.0);
+        let around = self.around_places(places);
         let near = self.moves.near(around, self.wide, |k| self.left[k].as_ref());
         places.iter().filter_map(|place| self.open_place(*place, &near, stays)).collect()
     }
@@ -255,10 +255,10 @@ impl<'a> Trim<'a> {
         (point, point + normal * (share * self.family.setup.finish.scallop))
     }
 
-    /// The middle of some places and of what lies above them by up to a share of the limit, and how far from it that reaches, mm.
-    fn around_places<'p>(&self, places: impl Iterator<Item = &'p Place>, share: f64) -> (DVec3, f64) {
-        let ends = |place: &Place| <[DVec3; 2]>::from(self.asked(&Place { share, ..*place }));
-        let around = Aabb::around(places.flat_map(ends));
+    /// The middle of some places and of what lies above them by up to the limit, and how far from it that reaches, mm.
+    fn around_places(&self, places: &[Place]) -> (DVec3, f64) {
+        let ends = |place: &Place| <[DVec3; 2]>::from(self.asked(&Place { share: 1.0, ..*place }));
+        let around = Aabb::around(places.iter().flat_map(ends));
         (around.center(), 0.5 * around.lo.distance(around.hi))
     }
 
