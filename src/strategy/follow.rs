@@ -1,7 +1,7 @@
 //! From lines to passes: walked along, looked over for what they leave, and cut back at their ends.
 
 use super::family::{Candidate, Family};
-use super::glean::Look;
+use super::glean::{Look, Sought};
 use super::left::Moves;
 use super::{Planned, StrategyError};
 use super::{places, trim, unreached, walk};
@@ -12,8 +12,6 @@ use crate::toolpath::Pass;
 
 /// Rounds in which short passes are added where something is left.
 const GLEANINGS: usize = 12;
-/// Places looked at between the edges of the strips at neighbouring probes.
-const RIDGE: usize = 4;
 /// Shorter passes are slivers, in strips.
 const SLIVER: f64 = 0.1;
 /// What a person reads meanwhile.
@@ -122,10 +120,9 @@ pub(super) fn followed(
     for k in 0..parts.len() {
         zones.push(zone(k, &[], &share("Mapping what is unreachable", 0.5, 0.65, k))?);
     }
-    let tracks = || parts.iter().flat_map(|part| &part.tracks);
-    let edges = places::edges(tracks());
-    let ridges: Vec<Uv> =
-        edges.iter().flat_map(|&[a, b]| (0..RIDGE).map(move |k| places::between(a, b, k, RIDGE))).collect();
+    let edges = places::edges(parts.iter().flat_map(|part| &part.tracks));
+    let ridges = places::ridges(&edges);
+    let sought = Sought { limit: setup.finish.scallop, finely: false };
     let first = &parts[0].family;
     let (mut is_whole, mut is_trimmed) = (false, false);
     // Gleanings since passes were last cut back.
@@ -139,7 +136,7 @@ pub(super) fn followed(
         let moves = Moves::new(setup, passes.iter().flatten());
         let looks = match last.take() {
             Some(left) => left,
-            None => first.looks(&moves, (others, &ridges), &part(FILL, 0.0, 0.2))?,
+            None => first.looks(&moves, (others, &ridges), sought, &part(FILL, 0.0, 0.2))?,
         };
         let is_within = |look: &Look| {
             let here = setup.face.surface.point(look.uv);

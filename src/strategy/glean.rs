@@ -5,6 +5,7 @@ use super::family::{Candidate, Family};
 use super::left::Moves;
 use super::places::{Patch, between};
 use super::probe::Probe;
+use super::ridge::Cusps;
 use crate::geometry::{IsoLine, Uv};
 use crate::math::order::{rank, sort_by_key};
 use crate::monitor::{Cancelled, Stage};
@@ -16,9 +17,13 @@ const CLOSER: [usize; 2] = [4, 8];
 /// Where more than this share of it is left at one of those, places about it lie so many times closer together once more: where
 /// curves that bend begin, more than the limit is left on spots smaller than an eighth of a strip.
 const NEARLY: f64 = 0.9;
-/// The more times where less than this share of it is left right beside: along an edge that is rolled over tightly cusps are steep.
-const STEEP: f64 = 0.7;
-const CLOSEST: [usize; 2] = [3, 12];
+const CLOSEST: usize = 3;
+/// How finely heights are told there, in limits.
+const COARSE: f64 = 0.02;
+/// Where their roots, in which flanks are nearly straight, differ by more than this, a cusp is steep; its ridge may stand higher by this
+/// share of that difference.
+const STEEP: f64 = 0.12;
+const RISE: f64 = 0.7;
 /// The share of the limit that the very ridges of cusps may reach, which strips that meet edge to edge leave at the limit: 1.00
 /// of it, as far as that is written.
 const ON_RIDGE: f64 = 1.004;
@@ -41,24 +46,33 @@ const NEARER: f64 = 0.5;
 pub(super) struct Look {
     pub(super) uv: Uv,
     /// More than this must not be left there, mm.
-    most: f64,
+    pub(super) most: f64,
+}
+
+/// What is looked for.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sought {
+    /// Where more than this is left, mm.
+    pub(super) limit: f64,
+    /// Up to the very ridges of cusps everywhere, and not only beside borders and where the face bends much.
+    pub(super) finely: bool,
 }
 
 impl Family<'_> {
-    /// Where is looked for what `moves` leave: places all over the face, closer together where much is left, and those of `others`
-    /// and on `ridges`.
+    /// Where is looked for what `moves` leave more than is sought: places all over the face, closer together where much is left, and those
+    /// of `others` and on `ridges`.
     pub(super) fn looks(
         &self,
         moves: &Moves,
         (others, ridges): (&[Uv], &[Uv]),
+        Sought { limit, finely }: Sought,
         stage: &Stage,
     ) -> Result<Vec<Look>, Cancelled> {
-        let limit = self.setup.finish.scallop;
         let at = |share: f64| move |uv: Uv| Look { uv, most: share * limit };
         let [plain, close] = self.patches();
         let mut looks: Vec<Look> = plain.iter().chain(&close).map(|patch| at(1.0)(patch.low)).collect();
-        for (patches, is_close) in [(&close, true), (&plain, false)] {
-            looks.extend(self.high_looks((patches, is_close), moves, stage)?);
+        for (patches, finely) in [(&close, true), (&plain, finely)] {
+            looks.extend(self.high_looks(patches, moves, Sought { limit, finely }, stage)?);
         }
         let border = self.border();
         let is_high = |[a, b]: [Uv; 2]| moves.leave(a, HIGH * limit) || moves.leave(b, HIGH * limit);
@@ -71,42 +85,58 @@ impl Family<'_> {
         Ok(looks)
     }
 
-    /// Places near what is high already in `patches`, between whose corners more may be left; where those lie close to each other
-    /// cusps may be steep.
+    /// Places near what is high already in `patches`, between whose corners more may be left.
     fn high_looks(
         &self,
-        (patches, is_close): (&[Patch], bool),
+        patches: &[Patch],
         moves: &Moves,
+        Sought { limit, finely }: Sought,
         stage: &Stage,
     ) -> Result<Vec<Look>, Cancelled> {
-        let limit = self.setup.finish.scallop;
-        // Corners may lie on either side of a cusp.
-        let asked = |patch: &Patch| patch.corners().into_iter().chain([patch.middle()]);
         let leaves = |uv: Uv, share: f64| moves.leave(uv, share * limit);
-        let is_high = |k: usize| asked(&patches[k]).any(|uv| leaves(uv, HIGH));
-        let is_high = stage.quiet().map(patches.len(), is_high)?;
-        let high = patches.iter().zip(is_high).filter(|(_, is_high)| *is_high);
-        let parts: Vec<Patch> = high.flat_map(|(patch, _)| patch.parts(CLOSER[0])).collect();
-        let side = |k: usize| {
-            let (part, middle) = (&parts[k], parts[k].middle());
-            let is_nearly = || leaves(middle, NEARLY) || is_close && asked(part).any(|uv| leaves(uv, NEARLY));
-            let is_steep = || is_close && !asked(part).all(|uv| leaves(uv, STEEP));
-            if leaves(middle, 1.0) {
-                1
-            } else if is_nearly() {
-                CLOSEST[usize::from(is_steep())]
-            } else {
-                0
+        let asked = |patch: &Patch| patch.corners().into_iter().chain([patch.middle()]);
+        let looks = |k: usize| {
+            if !asked(&patches[k]).any(|uv| leaves(uv, HIGH)) {
+                return Vec::new();
             }
+            if finely {
+                return self.looks_in(&patches[k], moves, limit);
+            }
+            let mut looks = Vec::new();
+            for part in patches[k].parts(CLOSER[0]) {
+                let middle = part.middle();
+                if leaves(middle, 1.0) {
+                    looks.push(Look { uv: middle, most: limit });
+                } else if leaves(middle, NEARLY) {
+                    looks.extend(part.places(CLOSEST).map(|uv| Look { uv, most: ON_RIDGE * limit }));
+                }
+            }
+            looks
         };
-        let sides = stage.quiet().map(parts.len(), side)?;
-        // So close together they meet the very ridges.
-        let most = |side: usize| limit * if side > 1 { ON_RIDGE } else { 1.0 };
-        let looks = parts
-            .iter()
-            .zip(sides)
-            .flat_map(|(part, side)| part.places(side).map(move |uv| Look { uv, most: most(side) }));
-        Ok(looks.collect())
+        Ok(stage.quiet().map(patches.len(), looks)?.into_iter().flatten().collect())
+    }
+
+    /// The same in one of them, up to the ridges of cusps.
+    fn looks_in(&self, patch: &Patch, moves: &Moves, limit: f64) -> Vec<Look> {
+        let Some(cusps) = Cusps::new(&self.setup, patch, moves, limit) else { return Vec::new() };
+        let root = |uv: Uv| cusps.share(uv, COARSE).sqrt();
+        let nodes: Vec<f64> = patch.nodes(CLOSER[0]).map(root).collect();
+        let look = |(k, part): (usize, Patch)| {
+            let middle = root(part.middle());
+            if middle > 1.0 - COARSE && moves.leave(part.middle(), limit) {
+                return Some(Look { uv: part.middle(), most: limit });
+            }
+            // Corners may lie on either side of a cusp.
+            let first = k + k / CLOSER[0];
+            let corners = [first, first + 1, first + CLOSER[0] + 1, first + CLOSER[0] + 2].map(|k| nodes[k]);
+            let low = corners.into_iter().fold(middle, f64::min);
+            let high = corners.into_iter().fold(middle, f64::max);
+            let is_steep = high - low > STEEP;
+            let may_be_high = if is_steep { high + RISE * (high - low) > 1.0 } else { high * high > NEARLY };
+            let ridge = may_be_high.then(|| cusps.ridge(&part, ON_RIDGE)).flatten();
+            ridge.map(|uv| Look { uv, most: ON_RIDGE * limit })
+        };
+        patch.parts(CLOSER[0]).enumerate().filter_map(look).collect()
     }
 
     /// Those of `looks` where `moves` leave more than they should: where the cutter can go, and where it cannot.
@@ -331,7 +361,8 @@ mod tests {
             }
             let moves = between(middle, near);
             assert!((most(&moves, middle) - 1.1).abs() < 0.02, "{middle}");
-            let looks = family.looks(&moves, (&[], &[]), &stage).unwrap();
+            let looks =
+                family.looks(&moves, (&[], &[]), Sought { limit: 0.01, finely: false }, &stage).unwrap();
             let [open, _] = family.left(&looks, &moves, &stage).unwrap();
             let is_ridge =
                 |look: &&Look| (look.uv.u - middle).abs() < 0.02 && look.uv.v > 0.2 && look.uv.v < 0.8;

@@ -62,6 +62,27 @@ impl<'a> Moves<'a> {
         !self.cut((jet.p, jet.p + n * limit), self.wide, |k| self.moves.get(k))
     }
 
+    /// The numbers of the moves that leave less than `limit` (mm, along the normal) at `uv`.
+    pub(super) fn cutters(&self, uv: Uv, limit: f64) -> Vec<usize> {
+        let Some((jet, n)) = self.setup.face.at(uv) else { return Vec::new() };
+        let mut cutters = Vec::new();
+        self.find(
+            (jet.p, jet.p + n * limit),
+            self.wide,
+            |k| self.moves.get(k),
+            |k| {
+                cutters.push(k);
+                false
+            },
+        );
+        cutters
+    }
+
+    /// The moves that may leave less than others within `reach` (mm) of `middle`.
+    pub(super) fn around(&self, around: (DVec3, f64)) -> Near<'_> {
+        self.near(around, self.wide, |k| self.moves.get(k))
+    }
+
     /// Whether what `part` has of one of the moves, by its number, takes away `top`, which stands above `point` on the face. Moves
     /// that touch farther than `wide` (mm) from there are not looked at.
     pub(super) fn cut<'p>(
@@ -173,6 +194,27 @@ pub(super) struct Near<'m> {
 }
 
 impl Near<'_> {
+    /// How much is left at `uv`, mm along the normal, to a `fine`ness in mm; `most` where it is more.
+    pub(super) fn height(&self, uv: Uv, most: f64, fine: f64) -> f64 {
+        let Self { moves, wide, found } = self;
+        let Some((jet, n)) = moves.setup.face.at(uv) else { return 0.0 };
+        let mut left = most;
+        for &(leaf, k) in found {
+            let part = &moves.moves[k];
+            let cuts = |height: f64| moves.cuts(part, jet.p + n * height);
+            let is_beside = moves.tree.boxes()[leaf].distance_squared(jet.p) < wide * wide;
+            if !is_beside || !cuts(left) {
+                continue;
+            }
+            let mut low = 0.0;
+            while left - low > fine {
+                let middle = 0.5 * (low + left);
+                *(if cuts(middle) { &mut left } else { &mut low }) = middle;
+            }
+        }
+        left
+    }
+
     /// As [`Moves::find`] does among all moves.
     pub(super) fn find<'p>(
         &self,

@@ -33,6 +33,7 @@ mod promise;
 mod raster;
 #[cfg(feature = "flow")]
 mod region;
+mod ridge;
 mod run_out;
 mod setup;
 mod shorten;

@@ -15,6 +15,8 @@ const ALONG: usize = 24;
 const BENT: f64 = 0.98;
 /// And lower than this (37°), it is an edge.
 const FOLDED: f64 = 0.8;
+/// Places between the edges of the strips at neighbouring probes.
+const RIDGE: usize = 4;
 
 /// A part of a face between two values of either parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,7 +32,7 @@ impl Patch {
     }
 
     /// The place at these shares of its sides.
-    fn at(&self, u: f64, v: f64) -> Uv {
+    pub(super) fn at(&self, u: f64, v: f64) -> Uv {
         let Self { low, high } = self;
         Uv::new(low.u + (high.u - low.u) * u, low.v + (high.v - low.v) * v)
     }
@@ -50,6 +52,12 @@ impl Patch {
             let (i, j) = (k % side, k / side);
             Self { low: self.at(share(i), share(j)), high: self.at(share(i + 1), share(j + 1)) }
         })
+    }
+
+    /// The corners of those, row after row.
+    pub(super) fn nodes(self, side: usize) -> impl Iterator<Item = Uv> {
+        let share = move |k: usize| k as f64 / side as f64;
+        (0..=side).flat_map(move |j| (0..=side).map(move |i| self.at(share(i), share(j))))
     }
 
     /// The middles of as many times as many parts of it.
@@ -163,6 +171,11 @@ pub(super) fn edges<'a>(tracks: impl Iterator<Item = &'a Candidate>) -> Vec<[Uv;
         }
     }
     edges
+}
+
+/// Places on those.
+pub(super) fn ridges(edges: &[[Uv; 2]]) -> Vec<Uv> {
+    edges.iter().flat_map(|&[a, b]| (0..RIDGE).map(move |k| between(a, b, k, RIDGE))).collect()
 }
 
 /// The place `k` of `count` equal steps from `a` to `b`.
