@@ -4,6 +4,8 @@ use serde_json::{Value, json};
 use stepover::job::{self, Plan, Shape, Spec};
 use stepover::monitor::Stage;
 
+#[path = "support/cusps.rs"]
+mod cusps;
 #[path = "support/widths.rs"]
 mod widths;
 
@@ -33,6 +35,9 @@ fn assert_saves(start: &str, least: f64) {
     let saving = widths::Saving::of([&fixed, &chosen], &face, 1.0);
     assert!(saving.made() >= least, "{saving:?}");
     assert!((0.95..=1.0).contains(&(saving.made() / saving.possible())), "{saving:?}");
+    // Strips of chosen postures end steeply: places lie closer together.
+    let median = cusps::median_cusp(&chosen, &face, 0.01, 0.05, &Stage::silent());
+    assert!(median >= 0.9, "{median}");
 }
 
 /// Lines of the parameter come closer to one another towards one end, by a third: passes that keep apart save more.

@@ -15,15 +15,18 @@ impl Face {
     ///
     /// Steps along the tangents (Gauss and Newton) and, where a border or a pole is in the way, along either parameter.
     pub fn nearest(&self, grid: &FaceGrid, place: DVec3) -> Uv {
-        let domain = self.domain();
-        let off = |uv: Uv| self.surface.point(uv).distance_squared(place);
         let nu = grid.size().0;
         let nodes = grid.points().iter().enumerate();
         let closer = |a: (f64, usize), b: (f64, usize)| if b.0 < a.0 { b } else { a };
-        let (mut least, node) =
-            nodes.map(|(k, p)| (p.distance_squared(place), k)).fold((f64::INFINITY, 0), closer);
-        let mut uv = grid.uv(node % nu, node / nu);
-        let mut share = 1.0;
+        let (_, node) = nodes.map(|(k, p)| (p.distance_squared(place), k)).fold((f64::INFINITY, 0), closer);
+        self.nearest_from(grid.uv(node % nu, node / nu), place)
+    }
+
+    /// The same, looked for around the place `uv` of the face.
+    pub fn nearest_from(&self, mut uv: Uv, place: DVec3) -> Uv {
+        let domain = self.domain();
+        let off = |uv: Uv| self.surface.point(uv).distance_squared(place);
+        let (mut least, mut share) = (off(uv), 1.0);
         for _ in 0..STEPS {
             let jet = self.jet(uv);
             let away = place - jet.p;

@@ -52,5 +52,6 @@ fn name(bound: Bound) -> &'static str {
         Bound::Holder => "holder",
         Bound::Turn => "turn",
         Bound::Misfit => "misfit",
+        Bound::Met => "met",
     }
 }

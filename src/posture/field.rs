@@ -1,5 +1,6 @@
 //! The posture at any place of a face.
 
+use super::Limits;
 use super::spline::Axis;
 use crate::geometry::{Jet, Uv};
 use crate::math::frame::Frame;
@@ -13,6 +14,7 @@ pub struct PostureField {
     ways: Vec<Way>,
     misfits: Vec<Uv>,
     largest_fit: Option<f64>,
+    limits: Option<Limits>,
 }
 
 /// How fast a posture changes along the feed, radians per mm.
@@ -39,17 +41,18 @@ pub(super) struct Way {
 impl PostureField {
     /// The same posture everywhere.
     pub fn fixed(posture: Posture) -> Self {
-        Self { typical: posture, ways: Vec::new(), misfits: Vec::new(), largest_fit: None }
+        Self { typical: posture, ways: Vec::new(), misfits: Vec::new(), largest_fit: None, limits: None }
     }
 
-    /// At least one way; `typical` is the mean posture.
+    /// At least one way; `typical` is the mean posture, and what was chosen for the widest strips within `limits` may lean more.
     pub(super) fn chosen(
         typical: Posture,
         ways: Vec<Way>,
         misfits: Vec<Uv>,
         largest_fit: Option<f64>,
+        limits: Option<Limits>,
     ) -> Self {
-        Self { typical, ways, misfits, largest_fit }
+        Self { typical, ways, misfits, largest_fit, limits }
     }
 
     /// The posture at `uv`, for feed the one way or `reversed`, each in its own contact frame.
@@ -90,6 +93,11 @@ impl PostureField {
     /// The mean posture over the face: what strips are mostly cut with.
     pub fn typical(&self) -> Posture {
         self.typical
+    }
+
+    /// The limits within which more lead does no more than make strips narrower: those of postures for the widest strips.
+    pub fn limits(&self) -> Option<Limits> {
+        self.limits
     }
 
     /// Nodes at which the cutter fits in no posture within the limits, on its first way of feed.

@@ -14,10 +14,11 @@ mod offset;
 mod strips;
 mod upwind;
 
-use super::family::{Candidate, Family, Laid};
+use super::family::{Candidate, Family};
 use super::fill;
-use super::follow::{Part, followed};
+use super::follow::Part;
 use super::iso_planar::{self, mean_normal};
+use super::laid::Laid;
 use super::placing::too_many;
 use super::probe::Setup;
 use super::{Finish, Order, Planned, StrategyError};
@@ -67,15 +68,15 @@ const CHOSEN: f64 = 0.2;
 const ROUNDS: usize = 4;
 
 /// A way to lay passes offset from the line of a field, no longer than so many mm.
-type OffsetPasses = fn(
-    (&Face, &Tool),
+type OffsetPasses<'a> = fn(
+    (&'a Face, &'a Tool),
     &(Field, f64, Field),
     &Rule,
     Finish,
     Order,
     f64,
     &Stage,
-) -> Result<Option<Laid>, StrategyError>;
+) -> Result<Option<Laid<'a>>, StrategyError>;
 
 /// Passes of `face` offset from `start` to both sides, edge to edge, the axis leaning by `rule`.
 ///
@@ -103,12 +104,12 @@ pub fn constant_scallop(
         return even.map(|even| even.planned).ok_or_else(too_many);
     }
     let (from, _, column) = seed.clone();
-    let (part, rest) = ((face, tool), stage.part(SOLVE, 0.2, 1.0));
+    let (part, rest) = ((face, tool), stage.part(SOLVE, 0.2, 0.95));
     let laying = stage.part(PLACE, 0.0, 0.2);
     let mut best = Family::shortest(part, &rule, finish, (from, column), order, &laying)?;
-    let ways: &[OffsetPasses] = match rule {
+    let ways: &[OffsetPasses<'_>] = match rule {
         Rule::Fixed(_) => &[offset_passes],
-        _ => &[evened_passes, offset_passes],
+        _ => &[evened_passes as OffsetPasses<'_>, offset_passes as OffsetPasses<'_>],
     };
     for (k, passes) in ways.iter().enumerate() {
         let at = |k: usize| k as f64 / ways.len() as f64;
@@ -120,19 +121,19 @@ pub fn constant_scallop(
             Err(_) => {}
         }
     }
-    Ok(best.planned)
+    best.eased(&stage.part("Easing postures", 0.95, 1.0))
 }
 
 /// The passes edge to edge; none where they come out longer than `most` (mm).
-pub(super) fn offset_passes(
-    part: (&Face, &Tool),
+pub(super) fn offset_passes<'a>(
+    part: (&'a Face, &'a Tool),
     seed: &(Field, f64, Field),
     rule: &Rule,
     finish: Finish,
     order: Order,
     most: f64,
     stage: &Stage,
-) -> Result<Option<Laid>, StrategyError> {
+) -> Result<Option<Laid<'a>>, StrategyError> {
     let spacing = stage.part(PLACE, 0.0, 0.75);
     let (lines, crests) = offset_lines(part, seed, rule, finish, order, &|_, _| true, &spacing)?;
     let tracks = lines.tracks.iter().flat_map(|track| &track.lines);
@@ -140,8 +141,7 @@ pub(super) fn offset_passes(
         return Ok(None);
     }
     let following = stage.part("Following the surface", 0.75, 1.0);
-    let (planned, is_whole) = followed(&[lines], &crests, &following)?;
-    Ok(Some(Laid { rule: *rule, planned, is_whole }))
+    Laid::of(*rule, lines, crests, &following).map(Some)
 }
 
 /// The lines offset edge to edge from that of `seed`, to either side as long as each `goes_on`; and where they bend much or fronts meet.

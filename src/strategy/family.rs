@@ -1,7 +1,8 @@
 //! Passes along the level lines of a field, each as far from the last as its strips allow.
 
 use super::fill;
-use super::follow::{Part, followed};
+use super::follow::Part;
+use super::laid::Laid;
 use super::placing::too_many;
 use super::probe::{Probe, Reach, Setup};
 use super::spacing::{Front, Toward};
@@ -35,29 +36,6 @@ pub(super) struct Candidate {
     pub(super) lines: Vec<IsoLine>,
     pub(super) probes: Vec<Vec<Probe>>,
     pub(super) reversed: bool,
-}
-
-/// Passes that were laid.
-pub(super) struct Laid {
-    /// The version of the rule by which the axis leans.
-    #[cfg(feature = "flow")]
-    pub(super) rule: Rule,
-    pub(super) planned: Planned,
-    /// Whether they leave nothing above the limit wherever that was looked at.
-    pub(super) is_whole: bool,
-}
-
-impl Laid {
-    /// How long other passes may be at most to be better, mm: any length where these leave something.
-    pub(super) fn most(&self) -> f64 {
-        if self.is_whole { self.planned.length() } else { f64::INFINITY }
-    }
-
-    /// Whether these passes are shorter than `other`, or leave nothing and those do.
-    pub(super) fn is_better(&self, other: &Self) -> bool {
-        let is_shorter = self.planned.length() < other.planned.length();
-        if self.is_whole == other.is_whole { is_shorter } else { self.is_whole }
-    }
 }
 
 impl<'a> Family<'a> {
@@ -136,7 +114,9 @@ impl<'a> Family<'a> {
         order: Order,
         stage: &Stage,
     ) -> Result<Planned, StrategyError> {
-        Ok(Self::shortest((face, tool), rule, finish, fields, order, stage)?.planned)
+        let laying = stage.part("Choosing postures", 0.0, 0.9);
+        let laid = Self::shortest((face, tool), rule, finish, fields, order, &laying)?;
+        laid.eased(&stage.part("Easing postures", 0.9, 1.0))
     }
 
     /// The passes along the level lines of `fields`, by whichever of the [`Rule::versions`] makes them shortest.
@@ -147,7 +127,7 @@ impl<'a> Family<'a> {
         fields: (Field, Field),
         order: Order,
         stage: &Stage,
-    ) -> Result<Laid, StrategyError> {
+    ) -> Result<Laid<'a>, StrategyError> {
         Self::improved(part, rule, finish, fields, order, None, stage)?.ok_or_else(too_many)
     }
 
@@ -158,11 +138,11 @@ impl<'a> Family<'a> {
         finish: Finish,
         fields: (Field, Field),
         order: Order,
-        best: Option<&Laid>,
+        best: Option<&Laid<'a>>,
         stage: &Stage,
-    ) -> Result<Option<Laid>, StrategyError> {
+    ) -> Result<Option<Laid<'a>>, StrategyError> {
         let (finish, versions) = (finish.with_fine_chords(), rule.versions());
-        let mut found: Option<Laid> = None;
+        let mut found: Option<Laid<'a>> = None;
         let choosing = if matches!(rule, Rule::Fixed(_)) { 0.0 } else { 0.15 };
         for (k, &rule) in versions.iter().enumerate() {
             let part = |name, a: f64, b: f64| {
@@ -180,14 +160,14 @@ impl<'a> Family<'a> {
             if best.is_some_and(|best| length >= best.most()) {
                 continue;
             }
-            let (planned, is_whole) =
-                followed(&[Part::whole(family, tracks)], &[], &part("Following the surface", 0.7, 1.0))?;
-            let laid = Laid {
+            let following = part("Following the surface", 0.7, 1.0);
+            let laid = Laid::of(
                 #[cfg(feature = "flow")]
                 rule,
-                planned,
-                is_whole,
-            };
+                Part::whole(family, tracks),
+                Vec::new(),
+                &following,
+            )?;
             if best.is_none_or(|best| laid.is_better(best)) {
                 found = Some(laid);
             }

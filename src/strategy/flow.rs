@@ -11,9 +11,10 @@ mod starts;
 
 use super::coarea::{expected_length, shares};
 use super::constant_scallop::{self, evened_passes, offset_lines, offset_passes, seed};
-use super::family::{Family, Laid};
-use super::follow::{Part, followed};
+use super::family::Family;
+use super::follow::Part;
 use super::iso_planar::{self, mean_normal};
+use super::laid::Laid;
 use super::line_field::LineField;
 use super::placing::too_many;
 use super::potential::Potential;
@@ -133,7 +134,7 @@ pub fn flow(
         if is_spare && best.as_ref().is_some_and(|best| best.is_whole) {
             break;
         }
-        let at = |k: usize| 0.1 + 0.9 * k as f64 / count as f64;
+        let at = |k: usize| 0.1 + 0.85 * k as f64 / count as f64;
         match planner.better(way, best.as_ref(), &stage.part("Spacing passes", at(k), at(k + 1))) {
             Ok(better) => best = better.or(best),
             Err(StrategyError::Cancelled(cancelled)) => return Err(cancelled.into()),
@@ -141,7 +142,8 @@ pub fn flow(
             Err(other) => why = Some(other),
         }
     }
-    Ok(best.ok_or_else(|| why.unwrap_or_else(too_many))?.planned)
+    let best = best.ok_or_else(|| why.unwrap_or_else(too_many))?;
+    best.eased(&stage.part("Easing postures", 0.95, 1.0))
 }
 
 /// What ways are laid with.
@@ -155,9 +157,14 @@ struct Planner<'a> {
     flat: f64,
 }
 
-impl Planner<'_> {
+impl<'a> Planner<'a> {
     /// The passes of `way` where they are better than `best`.
-    fn better(&self, way: Way, best: Option<&Laid>, stage: &Stage) -> Result<Option<Laid>, StrategyError> {
+    fn better(
+        &self,
+        way: Way,
+        best: Option<&Laid<'a>>,
+        stage: &Stage,
+    ) -> Result<Option<Laid<'a>>, StrategyError> {
         let (part, finish, order) = ((self.face, self.tool), self.finish, self.order);
         let seed = match way {
             Way::Levels(field, column) => {
@@ -193,9 +200,9 @@ impl Planner<'_> {
     fn divided(
         &self,
         pieces: Vec<(Line, Region)>,
-        best: Option<&Laid>,
+        best: Option<&Laid<'a>>,
         stage: &Stage,
-    ) -> Result<Option<Laid>, StrategyError> {
+    ) -> Result<Option<Laid<'a>>, StrategyError> {
         let (mut parts, mut places) = (Vec::new(), Vec::new());
         let count = pieces.len() as f64;
         for (k, (line, region)) in pieces.into_iter().enumerate() {
@@ -209,8 +216,8 @@ impl Planner<'_> {
             places.extend(lines.1.into_iter().filter(|uv| region.has(*uv)));
             places.extend(region.meeting(CLOSE));
         }
-        let (planned, is_whole) = followed(&parts, &places, &stage.part("Following the surface", 0.6, 1.0))?;
-        let laid = Laid { planned, is_whole, rule: self.rule };
+        let following = stage.part("Following the surface", 0.6, 1.0);
+        let laid = Laid::of_several(self.rule, parts, places, &following)?;
         Ok(Some(laid).filter(|laid| best.is_none_or(|best| laid.is_better(best))))
     }
 }

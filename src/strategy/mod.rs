@@ -5,6 +5,7 @@ mod coarea;
 #[cfg(feature = "flow")]
 mod constant_scallop;
 mod corner;
+mod ease;
 #[cfg(feature = "flow")]
 mod edge_to_edge;
 mod family;
@@ -16,6 +17,7 @@ mod follow;
 mod glean;
 mod iso_parametric;
 mod iso_planar;
+mod laid;
 mod left;
 #[cfg(feature = "flow")]
 mod line_field;

@@ -6,8 +6,9 @@
 //! families leave where they meet is cut by short passes.
 
 use super::constant_scallop::{Start, offset_lines, seed};
-use super::family::{Candidate, Family, Laid};
-use super::follow::{Part, followed};
+use super::family::{Candidate, Family};
+use super::follow::Part;
+use super::laid::Laid;
 use super::potential::Potential;
 use super::streamlines::{Streamlines, Swept};
 use super::{Finish, Order, Planned, StrategyError};
@@ -44,14 +45,13 @@ pub fn potential_field(
     let planner = Planner { face, tool, finish, order, least_efficiency, grid: &grid, lines, flat };
     let (versions, mut best) = (rule.versions(), None);
     for (k, &rule) in versions.iter().enumerate() {
-        let at = |k: usize| 0.05 + 0.95 * k as f64 / versions.len() as f64;
-        let (planned, is_whole) = planner.planned(&rule, &stage.part("Spacing passes", at(k), at(k + 1)))?;
-        let laid = Laid { rule, planned, is_whole };
+        let at = |k: usize| 0.05 + 0.9 * k as f64 / versions.len() as f64;
+        let laid = planner.laid(rule, &stage.part("Spacing passes", at(k), at(k + 1)))?;
         if best.as_ref().is_none_or(|best| laid.is_better(best)) {
             best = Some(laid);
         }
     }
-    best.map(|best| best.planned).ok_or(StrategyError::NoInitialPath)
+    best.ok_or(StrategyError::NoInitialPath)?.eased(&stage.part("Easing postures", 0.95, 1.0))
 }
 
 struct Planner<'a> {
@@ -67,20 +67,19 @@ struct Planner<'a> {
 }
 
 impl<'a> Planner<'a> {
-    /// The passes, and whether they leave nothing.
-    fn planned(&self, rule: &Rule, stage: &Stage) -> Result<(Planned, bool), StrategyError> {
+    fn laid(&self, rule: Rule, stage: &Stage) -> Result<Laid<'a>, StrategyError> {
         let (mut parts, mut places) = (Vec::new(), Vec::new());
         while parts.len() < FAMILIES && self.left(&parts) > LEFT {
             let at = |k: usize| 0.6 * k as f64 / FAMILIES as f64;
             let part = stage.part("Spacing passes", at(parts.len()), at(parts.len() + 1));
-            let Some((part, crests)) = self.next(&parts, rule, &part)? else { break };
+            let Some((part, crests)) = self.next(&parts, &rule, &part)? else { break };
             parts.push(part);
             places.extend(crests);
         }
         if parts.is_empty() {
             return Err(StrategyError::NoInitialPath);
         }
-        followed(&parts, &places, &stage.part("Following the surface", 0.6, 1.0))
+        Laid::of_several(rule, parts, places, &stage.part("Following the surface", 0.6, 1.0))
     }
 
     /// The share of the nodes that none of `parts` has.

@@ -67,6 +67,19 @@ const MORE_LEADS: u32 = 7;
 /// How deep the cutter may dig in between stations, in what it may at one.
 const ON_THE_WAY: f64 = 1.8;
 
+impl Setup<'_> {
+    /// Whether the cutter on its way from one station to the other digs in by no more than stations and chords may together.
+    pub(super) fn slides_off(&self, a: &Station, b: &Station) -> bool {
+        let allowed = -ON_THE_WAY * GOUGE;
+        let is_off = |s: f64| {
+            let Some(axis) = a.cl.axis.lerp(b.cl.axis, s).try_normalize() else { return false };
+            let cl = ClPoint { tip: a.cl.tip.lerp(b.cl.tip, s), axis };
+            !self.obstacle.digs(self.cutter, &cl, DVec3::INFINITY, allowed)
+        };
+        [0.5, 0.25, 0.75].into_iter().all(is_off)
+    }
+}
+
 struct Walker<'a> {
     setup: &'a Setup<'a>,
     nodes: &'a [Uv],
@@ -172,17 +185,6 @@ impl Walker<'_> {
         })
     }
 
-    /// Whether the cutter on its way from one station to the other digs in by no more than stations and chords may together.
-    fn slides_off(&self, a: &Station, b: &Station) -> bool {
-        let allowed = -ON_THE_WAY * GOUGE;
-        let is_off = |s: f64| {
-            let Some(axis) = a.cl.axis.lerp(b.cl.axis, s).try_normalize() else { return false };
-            let cl = ClPoint { tip: a.cl.tip.lerp(b.cl.tip, s), axis };
-            !self.setup.obstacle.digs(self.setup.cutter, &cl, DVec3::INFINITY, allowed)
-        };
-        [0.5, 0.25, 0.75].into_iter().all(is_off)
-    }
-
     /// Whether the cutter at `cl` on the way, near the station `m`, digs in beyond its contact by no more than stations and
     /// chords may together. A posture that is chosen leaves hardly any room under the rear.
     fn stays_off(&self, cl: &ClPoint, m: &Station) -> bool {
@@ -242,7 +244,7 @@ impl Walker<'_> {
             // What goes on beyond a border is a guess at the surface: more lead makes up for it.
             last = (0..MORE_LEADS)
                 .map(|k| self.setup.leaning(&on, MORE_LEAD * f64::from(k * k)))
-                .find(|station| self.setup.is_off(&station.cl) && self.slides_off(&last, station))?;
+                .find(|station| self.setup.is_off(&station.cl) && self.setup.slides_off(&last, station))?;
             Some(last)
         };
         (1..=count).map_while(beyond).collect()

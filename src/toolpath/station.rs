@@ -52,6 +52,8 @@ pub enum Bound {
     Turn,
     /// No lead within the limits fits.
     Misfit,
+    /// With less, strips would overlap more than they need to meet.
+    Met,
 }
 
 /// What a contact gets done, and why the cutter leans as it does there. For people to see: nothing is planned from it.

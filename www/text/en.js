@@ -318,6 +318,7 @@ export default {
   'bound.holder': 'With less lead the holder would come into the part.',
   'bound.turn': 'Its neighbours need so much lead, and the axis may turn no faster.',
   'bound.misfit': 'No lead within the limits fits here.',
+  'bound.met': 'With less lead, strips would overlap more than they need to meet.',
 
   'legend.label': 'Colours',
   'legend.excess': 'Excess, µm',

@@ -297,6 +297,7 @@ export default {
   'bound.holder': '前倾角再小，刀柄会碰到工件。',
   'bound.turn': '相邻处需要这么大的前倾角，而刀轴不能转得更快。',
   'bound.misfit': '限度内没有合适的前倾角。',
+  'bound.met': '前倾角再小，相邻行的重叠会超过相接所需。',
 
   'legend.label': '颜色',
   'legend.excess': '残留，µm',

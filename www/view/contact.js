@@ -10,7 +10,7 @@ import { attribute, h, s, say } from './dom.js';
 import { LENGTH, lastCut, locate, STRIDE } from './way.js';
 
 /** In the order of their numbers. */
-const BOUNDS = ['given', 'least', 'curvature', 'beside', 'body', 'holder', 'turn', 'misfit'];
+const BOUNDS = ['given', 'least', 'curvature', 'beside', 'body', 'holder', 'turn', 'misfit', 'met'];
 const WIDTH = 280;
 const HEIGHT = 34;
 /** A plot reaches over no less than this, so that what hardly changes looks so. */

@@ -6,13 +6,14 @@
 
 use super::offset::{Offset, period};
 use super::strips::Strips;
-use super::{crest, fill, followed};
+use super::{crest, fill};
 use crate::cutter::Tool;
 use crate::geometry::{Face, Field};
 use crate::monitor::Stage;
 use crate::posture::Rule;
-use crate::strategy::family::{Family, Laid};
+use crate::strategy::family::Family;
 use crate::strategy::follow::Part;
+use crate::strategy::laid::Laid;
 use crate::strategy::probe::Setup;
 use crate::strategy::{Finish, Order, StrategyError};
 use std::sync::Arc;
@@ -33,15 +34,15 @@ const BROKEN: f64 = 1.5;
 
 /// The passes offset from the line of `seed` to both sides, the shorter ones of those that leave nothing; none where all come out
 /// longer than `most` (mm), and where fronts run round the face and meet.
-pub(in crate::strategy) fn passes(
-    (face, tool): (&Face, &Tool),
+pub(in crate::strategy) fn passes<'a>(
+    (face, tool): (&'a Face, &'a Tool),
     (from, level, column): &(Field, f64, Field),
     rule: &Rule,
     finish: Finish,
     order: Order,
     most: f64,
     stage: &Stage,
-) -> Result<Option<Laid>, StrategyError> {
+) -> Result<Option<Laid<'a>>, StrategyError> {
     if period(face, from).is_some() {
         return Ok(None);
     }
@@ -50,7 +51,7 @@ pub(in crate::strategy) fn passes(
     let first = Setup::new(face, tool, rule, finish, fields, order, &stage.part(super::TILT, 0.0, 0.08))?;
     let offset = Offset::new(&first, from, *level);
     let begun = Strips::of((&first, order), &stage.part(super::SOLVE, 0.08, 0.1))?;
-    let mut best: Option<Laid> = None;
+    let mut best: Option<Laid<'a>> = None;
     // What passes were longer than their lines.
     let mut longer = 1.0;
     'over: for (k, over) in OVER.into_iter().enumerate() {
@@ -104,12 +105,12 @@ pub(in crate::strategy) fn passes(
 }
 
 /// The passes of `setup`, and how long their lines are, mm; `None` where those are longer than `most`.
-fn lay(
-    (setup, rule, order): (&Setup, &Rule, Order),
+fn lay<'a>(
+    (setup, rule, order): (&Setup<'a>, &Rule, Order),
     offset: &Offset,
     most: f64,
     stage: &Stage,
-) -> Result<Option<(Laid, f64)>, StrategyError> {
+) -> Result<Option<(Laid<'a>, f64)>, StrategyError> {
     let family = Family::on_grid(setup.clone(), order, offset.grid.clone());
     let placed = family.place(&stage.part(super::PLACE, 0.0, 0.33))?;
     let tracks = fill::tracks(&family, placed, &stage.part(super::FILL, 0.33, 0.5))?;
@@ -119,6 +120,5 @@ fn lay(
     }
     let crests = crest::places(&family, offset);
     let following = stage.part("Following the surface", 0.5, 1.0);
-    let (planned, is_whole) = followed(&[Part::whole(family, tracks)], &crests, &following)?;
-    Ok(Some((Laid { rule: *rule, planned, is_whole }, lines)))
+    Ok(Some((Laid::of(*rule, Part::whole(family, tracks), crests, &following)?, lines)))
 }

@@ -1,0 +1,448 @@
+//! Postures that were chosen, eased: passes that were laid for the widest strips overlap a little everywhere, and where they do, the
+//! cutter leans a little more, until strips just meet. What that leaves is nearer to the limit, axes are as steady, and it costs no way.
+
+use super::follow::Part;
+use super::glean::{Look, Sought};
+use super::left::Moves;
+use super::probe::Setup;
+use super::{Planned, places};
+use crate::contact::cl_of;
+use crate::geometry::{FaceGrid, Uv};
+use crate::math::angle::angle_between;
+use crate::monitor::{Cancelled, Stage};
+use crate::posture::Limits;
+use crate::toolpath::{Bound, ClPoint, Pass, Station};
+use std::ops::Range;
+
+/// How much more lead is tried first, as a share of the lead.
+const FIRST: f64 = 0.1;
+/// What each round leaves of it beside a place where too much is left.
+const LESS: f64 = 0.75;
+/// What is added again in each of so many rounds where nothing is too high.
+const MORE: f64 = 1.08;
+const ADDED: usize = 6;
+/// Rounds, after which there is none.
+const ROUNDS: usize = 14;
+/// How far from the ends of passes on the face nothing is eased, in strips, and places on each of two rings there.
+const BESIDE: f64 = 0.4;
+const AROUND: usize = 12;
+/// Times at which all of the face is looked at.
+const TIMES: usize = 8;
+/// The share of what may be left that is asked for where less was left before.
+const SHARE: f64 = 0.99;
+/// How fast what is added may change along a pass, as a share of how fast the axis may turn.
+const STEADY: f64 = 0.1;
+/// What is added beyond this share of the lead is why it is not less.
+const MUCH: f64 = 0.05;
+/// Less is nothing, in leads.
+const LEAST: f64 = 1e-4;
+/// Lengths (mm) and angles that differ by less are the same.
+const SAME: f64 = 1e-9;
+/// What a person reads meanwhile.
+const EASE: &str = "Easing postures";
+
+/// `planned`, which follows the lines of `part`, with as much more lead everywhere as what is left on the face and at `others` allows;
+/// as it is where no posture was chosen for the widest strips, or where too much would be left.
+pub(super) fn eased(
+    part: &Part,
+    others: &[Uv],
+    mut planned: Planned,
+    stage: &Stage,
+) -> Result<Planned, Cancelled> {
+    let setup = &part.family.setup;
+    let Some(limits) = setup.postures.limits() else { return Ok(planned) };
+    let ridges = places::ridges(&places::edges(part.tracks.iter()));
+    let limit = SHARE * setup.finish.scallop;
+    let looks = |moves: &Moves, finely: bool, stage: &Stage| -> Result<Vec<Look>, Cancelled> {
+        let mut looks = part.family.looks(moves, (others, &ridges), Sought { limit, finely }, stage)?;
+        looks.retain(|look| !planned.unreached.contains(setup.face.surface.point(look.uv)));
+        Ok(looks)
+    };
+    let mut ease = Ease::new(setup, limits, &planned.passes);
+    ease.hold_ends(part.family.lines.grid(), &stage.quiet())?;
+    ease.clear(&stage.quiet())?;
+    for time in 0..TIMES {
+        let within = |from: f64, to: f64| {
+            let at = |t: f64| (time as f64 + t) / TIMES as f64;
+            stage.part(EASE, at(from), at(to))
+        };
+        let moves = ease.moves();
+        let looks = looks(&moves, time > 0, &within(0.0, 0.5))?;
+        let mut high = ease.too_high(&moves, &looks, &stage.quiet())?;
+        if high.is_empty() {
+            planned.passes = ease.passes(part.family.lines.grid(), &stage.quiet())?;
+            break;
+        }
+        let asked = high.clone();
+        for round in 0..=ROUNDS {
+            within(0.5, 0.8).at(round as f64 / ROUNDS as f64)?;
+            let share = if round < ROUNDS && time < TIMES / 2 { LESS } else { 0.0 };
+            ease.take_back(&high, share, &stage.quiet())?;
+            high = ease.still(&high, &stage.quiet())?;
+            if high.is_empty() {
+                break;
+            }
+        }
+        if time == 0 {
+            ease.add(&asked, &within(0.8, 1.0))?;
+        }
+        ease.clear(&stage.quiet())?;
+    }
+    Ok(planned)
+}
+
+/// A place and what must be left there at most, mm.
+#[derive(Debug, Clone, Copy)]
+struct High {
+    uv: Uv,
+    most: f64,
+}
+
+struct Ease<'a> {
+    setup: &'a Setup<'a>,
+    limits: Limits,
+    /// The stations of all passes as they were, and which are those of each.
+    stations: Vec<Station>,
+    runs: Vec<Range<usize>>,
+    /// The first station of each move.
+    firsts: Vec<usize>,
+    before: Moves<'a>,
+    /// How much more lead each station has, and may have, radians.
+    more: Vec<f64>,
+    most: Vec<f64>,
+}
+
+impl<'a> Ease<'a> {
+    fn new(setup: &'a Setup<'a>, limits: Limits, passes: &[Pass]) -> Self {
+        let mut from = 0;
+        let runs: Vec<Range<usize>> = passes
+            .iter()
+            .map(|pass| {
+                let to = from + pass.stations.len();
+                std::mem::replace(&mut from, to)..to
+            })
+            .collect();
+        let stations: Vec<Station> = passes.iter().flat_map(|pass| &pass.stations).copied().collect();
+        let firsts = runs.iter().flat_map(|run| run.start..run.end - 1).collect();
+        let before = Moves::new(setup, passes.iter());
+        // Beyond borders the cutter leans as it does on them; where a pass was cut back it stands half way between two places.
+        let is_free = |s: &Station| s.work.strip.is_some() && is_same(&cl_of(setup.cutter, &s.cc), &s.cl);
+        let first = |s: &Station| {
+            let lead = s.cc.posture.lead;
+            if is_free(s) { (FIRST * lead).min(limits.most_lead - lead).max(0.0) } else { 0.0 }
+        };
+        let most: Vec<f64> = stations.iter().map(first).collect();
+        let more = most.clone();
+        let mut ease = Self { setup, limits, stations, runs, firsts, before, more, most };
+        ease.steady();
+        ease
+    }
+
+    /// A station as it leans now.
+    fn station(&self, k: usize) -> Station {
+        let (mut station, more) = (self.stations[k], self.more[k]);
+        if more > 0.0 {
+            station.cc.posture.lead += more;
+            station.cl = cl_of(self.setup.cutter, &station.cc);
+            if more > MUCH * self.stations[k].cc.posture.lead {
+                station.work.bound = Bound::Met;
+            }
+        }
+        station
+    }
+
+    fn moves(&self) -> Moves<'a> {
+        let ends = |&k: &usize| [self.station(k), self.station(k + 1)];
+        Moves::of(self.setup, self.firsts.iter().map(ends).collect())
+    }
+
+    /// Those of `looks` where `moves` leave too much, and less was left before.
+    fn too_high(&self, moves: &Moves, looks: &[Look], stage: &Stage) -> Result<Vec<High>, Cancelled> {
+        let high = |Look { uv, most }: Look| {
+            let mut asked = [most, most / SHARE].into_iter();
+            let most = asked.find(|most| !moves.leave(uv, *most) || !self.before.leave(uv, *most))?;
+            moves.leave(uv, most).then_some(High { uv, most })
+        };
+        Ok(stage.map(looks.len(), |k| high(looks[k]))?.into_iter().flatten().collect())
+    }
+
+    /// Those of `high` that still are.
+    fn still(&self, high: &[High], stage: &Stage) -> Result<Vec<High>, Cancelled> {
+        let moves = self.moves();
+        let is_high = stage.map(high.len(), |k| moves.leave(high[k].uv, high[k].most))?;
+        Ok(high.iter().zip(is_high).filter(|(_, is_high)| *is_high).map(|(high, _)| *high).collect())
+    }
+
+    /// Leaves this share of what was added to whatever cut one of the places `high` before.
+    fn take_back(&mut self, high: &[High], share: f64, stage: &Stage) -> Result<(), Cancelled> {
+        for k in self.cutters(high, stage)? {
+            self.more[k] *= share;
+        }
+        self.steady();
+        Ok(())
+    }
+
+    /// The stations of the moves that cut one of the places `high` before.
+    fn cutters(&self, high: &[High], stage: &Stage) -> Result<Vec<usize>, Cancelled> {
+        let moves = stage.map(high.len(), |k| self.before.cutters(high[k].uv, high[k].most))?;
+        let mut is_cutter = vec![false; self.stations.len()];
+        for k in moves.into_iter().flatten().map(|k| self.firsts[k]) {
+            is_cutter[k..k + 2].fill(true);
+        }
+        Ok((0..is_cutter.len()).filter(|&k| is_cutter[k]).collect())
+    }
+
+    /// Takes all away from what cuts beside the ends of passes on the face: what is left there comes to points between three of them, which
+    /// are finer than places that are looked at.
+    fn hold_ends(&mut self, grid: &FaceGrid, stage: &Stage) -> Result<(), Cancelled> {
+        let (face, strip) = (self.setup.face, self.setup.strip);
+        let ends: Vec<usize> = self.runs.iter().flat_map(|run| [run.start, run.end - 1]).collect();
+        let beside = |k: usize| -> Vec<High> {
+            let cc = &self.stations[ends[k]].cc;
+            let uv = face.nearest(grid, cc.point);
+            if face.surface.point(uv).distance(cc.point) > BESIDE * strip {
+                return Vec::new();
+            }
+            let place = |(i, ring): (usize, f64)| {
+                let (sine, cosine) = libm::sincos(std::f64::consts::TAU * i as f64 / AROUND as f64);
+                let away = (cc.frame.f * cosine + cc.frame.b * sine) * ring;
+                High { uv: face.nearest_from(uv, cc.point + away), most: self.setup.finish.scallop }
+            };
+            let rings = [0.5, 1.0]
+                .into_iter()
+                .flat_map(|share| (0..AROUND).map(move |i| (i, share * BESIDE * strip)));
+            rings.map(place).collect()
+        };
+        let places = stage.map(ends.len(), beside)?;
+        for k in self.cutters(&places.concat(), stage)? {
+            self.more[k] = 0.0;
+        }
+        self.steady();
+        Ok(())
+    }
+
+    /// Adds a little more wherever none of the places `asked` then is high, again and again.
+    fn add(&mut self, asked: &[High], stage: &Stage) -> Result<(), Cancelled> {
+        let mut is_free = vec![true; self.more.len()];
+        for k in 0..ADDED {
+            stage.at(k as f64 / ADDED as f64)?;
+            let before = self.more.clone();
+            for (k, more) in self.more.iter_mut().enumerate().filter(|(k, _)| is_free[*k]) {
+                *more = (MORE * *more).min(self.most[k]);
+            }
+            self.steady();
+            let mut high = self.still(asked, &stage.quiet())?;
+            while !high.is_empty() {
+                for k in self.cutters(&high, &stage.quiet())? {
+                    self.more[k] = self.more[k].min(before[k]);
+                    is_free[k] = false;
+                }
+                self.steady();
+                let now = self.still(&high, &stage.quiet())?;
+                if now.len() == high.len() {
+                    self.more = before;
+                    return Ok(());
+                }
+                high = now;
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes away what makes the cutter lean by much more at one place of a pass than beside it, or its axis turn faster than it may.
+    fn steady(&mut self) {
+        let turn = |[a, b]: [&Station; 2]| angle_between(a.cl.axis, b.cl.axis);
+        for run in self.runs.clone() {
+            loop {
+                let mut is_steady = true;
+                for k in run.start..run.end - 1 {
+                    self.hold(k, k + 1);
+                }
+                for k in (run.start..run.end - 1).rev() {
+                    self.hold(k + 1, k);
+                }
+                for k in run.start..run.end - 1 {
+                    if self.more[k] <= 0.0 && self.more[k + 1] <= 0.0 {
+                        continue;
+                    }
+                    let before = turn([&self.stations[k], &self.stations[k + 1]]);
+                    let allowed = before.max(self.limits.most_turn[0] * self.way(k, k + 1));
+                    if turn([&self.station(k), &self.station(k + 1)]) > allowed + SAME {
+                        is_steady = false;
+                        for k in [k, k + 1] {
+                            let less = LESS * self.more[k];
+                            self.more[k] =
+                                if less > LEAST * self.stations[k].cc.posture.lead { less } else { 0.0 };
+                        }
+                    }
+                }
+                if is_steady {
+                    break;
+                }
+            }
+        }
+    }
+
+    /// No more is added at `next` than what is added at `k` may rise to on the way.
+    fn hold(&mut self, k: usize, next: usize) {
+        let rise = STEADY * self.limits.most_turn[0] * self.way(k, next);
+        self.more[next] = self.more[next].min(self.more[k] + rise);
+    }
+
+    /// The way between the contacts of two stations, mm.
+    fn way(&self, a: usize, b: usize) -> f64 {
+        self.stations[a].cc.point.distance(self.stations[b].cc.point)
+    }
+
+    /// Takes all away where the cutter would dig in, or its holder come into the part.
+    fn clear(&mut self, stage: &Stage) -> Result<(), Cancelled> {
+        loop {
+            let is_clear = stage.map(self.firsts.len(), |k| self.is_clear(self.firsts[k]))?;
+            let blocked = self.firsts.iter().zip(is_clear).filter(|(_, is_clear)| !is_clear);
+            let blocked: Vec<usize> = blocked.map(|(k, _)| *k).collect();
+            if blocked.is_empty() {
+                return Ok(());
+            }
+            for k in blocked {
+                self.more[k..k + 2].fill(0.0);
+            }
+            self.steady();
+        }
+    }
+
+    /// Whether the cutter clears the face at a station and on its way to the next, as far as it is eased.
+    fn is_clear(&self, k: usize) -> bool {
+        if self.more[k] <= 0.0 && self.more[k + 1] <= 0.0 {
+            return true;
+        }
+        let [a, b] = [self.station(k), self.station(k + 1)];
+        [a, b].iter().all(|station| self.setup.fits_beyond(station)) && self.setup.slides_off(&a, &b)
+    }
+
+    /// The passes as they lean now, with the strips that they then cut.
+    fn passes(&self, grid: &FaceGrid, stage: &Stage) -> Result<Vec<Pass>, Cancelled> {
+        stage.map(self.runs.len(), |k| Pass { stations: self.told(grid, self.runs[k].clone()) })
+    }
+
+    /// The stations of a pass as they lean now, each with the strip that it then cuts.
+    fn told(&self, grid: &FaceGrid, run: Range<usize>) -> Vec<Station> {
+        let face = self.setup.face;
+        let mut near: Option<Uv> = None;
+        let told = |k: usize| {
+            let mut station = self.station(k);
+            if self.more[k] > 0.0 {
+                let point = station.cc.point;
+                let uv =
+                    near.map_or_else(|| face.nearest(grid, point), |near| face.nearest_from(near, point));
+                near = Some(uv);
+                let is_back = self
+                    .setup
+                    .frame(uv, false)
+                    .is_some_and(|(_, frame)| frame.f.dot(station.cc.frame.f) < 0.0);
+                station.work.strip = self.setup.width(uv, is_back, &station);
+            }
+            station
+        };
+        run.map(told).collect()
+    }
+}
+
+/// Whether two locations are one.
+fn is_same(a: &ClPoint, b: &ClPoint) -> bool {
+    a.tip.distance(b.tip) < SAME && a.axis.distance(b.axis) < SAME
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cutter::{Cutter, Tool};
+    use crate::geometry::{Cylinder, Face, Field, Side};
+    use crate::math::frame::Frame;
+    use crate::posture::Rule;
+    use crate::strategy::family::{Detail, Family};
+    use crate::strategy::laid::Laid;
+    use crate::strategy::{Finish, Order};
+    use glam::DVec3;
+    use std::sync::Arc;
+
+    const SCALLOP: f64 = 0.01;
+
+    /// What passes leave half way between two of them on the tube, in scallops.
+    fn between(setup: &Setup, passes: &[Pass], [from, to]: [f64; 2]) -> f64 {
+        let moves = Moves::new(setup, passes.iter());
+        let share = |v: f64| {
+            let (mut low, mut high) = (0.0, 1.5);
+            while high - low > 1e-3 {
+                let middle = 0.5 * (low + high);
+                *(if moves.leave(Uv::new(1.0, v), middle * SCALLOP) { &mut low } else { &mut high }) = middle;
+            }
+            low
+        };
+        (0..=400).map(|k| share(from + (to - from) * f64::from(k) / 400.0)).fold(0.0, f64::max)
+    }
+
+    /// Passes round a tube, laid 0.96 strips apart: eased, they lean more, never less, by no more than the axis may turn, and
+    /// leave between them what may be left.
+    #[test]
+    fn passes_that_overlap_lean_more_until_they_meet() {
+        let frame = Frame { f: DVec3::X, b: DVec3::Y, n: DVec3::Z };
+        let tube = Cylinder::new(DVec3::ZERO, frame, 20.0, [0.0, 2.0], [0.0, 20.0]).unwrap();
+        let face = Face { surface: Arc::new(tube), side: Side::Front };
+        let tool = Tool { cutter: Cutter::bull_nose(10.0, 2.0, 40.0).unwrap(), holder: None };
+        let (limits, stage) = (Limits { most_yaw: 0.0, ..Limits::default() }, Stage::silent());
+        let finish = Finish { scallop: SCALLOP, chord: 0.001 };
+        let lay = |rule: &Rule| {
+            let family =
+                Family::new(&face, &tool, rule, finish, (Field::V, Field::U), Order::Zig, &stage).unwrap();
+            let middle = Uv::new(1.0, 10.0);
+            let station = family.setup.station(middle, false).unwrap();
+            let step = 0.96 * family.setup.width(middle, false, &station).unwrap();
+            let levels = (0..).map(|k| step * (f64::from(k) + 0.4)).take_while(|level| *level < 20.0);
+            let tracks: Vec<_> =
+                levels.map(|level| family.candidate(level, 0, Detail::Full, &stage).unwrap()).collect();
+            (step, Part::whole(family, tracks))
+        };
+        let (step, part) = lay(&Rule::Widest(limits));
+        let setup = part.family.setup.clone();
+        let laid = Laid::of(
+            #[cfg(feature = "flow")]
+            Rule::Widest(limits),
+            part,
+            Vec::new(),
+            &stage,
+        )
+        .unwrap();
+        assert!(laid.is_whole);
+        let before = laid.planned.passes.clone();
+        let after = laid.eased(&stage).unwrap().passes;
+        assert_eq!(before.len(), after.len());
+        let [low, high] = [&before, &after].map(|passes| between(&setup, passes, [1.4 * step, 2.4 * step]));
+        assert!(low < 0.93 && (0.96..=1.004).contains(&high), "{low} {high}");
+        let mut most = 0.0f64;
+        for (a, b) in before.iter().flat_map(|p| &p.stations).zip(after.iter().flat_map(|p| &p.stations)) {
+            let more = b.cc.posture.lead - a.cc.posture.lead;
+            most = most.max(more);
+            assert!(more >= 0.0 && a.cc.point == b.cc.point);
+            assert!(b.work.strip <= a.work.strip);
+            assert!(more <= 0.0 || is_same(&b.cl, &cl_of(&tool.cutter, &b.cc)));
+        }
+        assert!(most > 1e-3);
+        for pair in after.iter().flat_map(|pass| pass.stations.windows(2)) {
+            let turn = angle_between(pair[0].cl.axis, pair[1].cl.axis);
+            let way = pair[0].cc.point.distance(pair[1].cc.point);
+            assert!(turn <= limits.most_turn[0] * way + 1e-9);
+        }
+        // What is prescribed stays as it is.
+        let (_, part) = lay(&Rule::Matched(limits));
+        let laid = Laid::of(
+            #[cfg(feature = "flow")]
+            Rule::Matched(limits),
+            part,
+            Vec::new(),
+            &stage,
+        )
+        .unwrap();
+        let before = laid.planned.passes.clone();
+        assert_eq!(before, laid.eased(&stage).unwrap().passes);
+    }
+}
