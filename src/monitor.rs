@@ -56,6 +56,12 @@ impl<'a> Stage<'a> {
         Self { phase, from: at(from), to: at(to), ..*self }
     }
 
+    /// The same under this stage's own name.
+    #[must_use]
+    pub fn share(&self, from: f64, to: f64) -> Self {
+        self.part(self.phase, from, to)
+    }
+
     /// This stage on one thread.
     #[must_use]
     pub fn alone(&self) -> Self {

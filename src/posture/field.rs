@@ -95,7 +95,7 @@ impl PostureField {
         self.typical
     }
 
-    /// The limits within which more lead does no more than make strips narrower: those of postures for the widest strips.
+    /// The limits within which postures were chosen for the widest strips; nothing where another rule tells them.
     pub fn limits(&self) -> Option<Limits> {
         self.limits
     }

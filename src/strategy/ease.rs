@@ -1,10 +1,11 @@
 //! Postures that were chosen, eased: passes that were laid for the widest strips overlap a little everywhere, and where they do, the
-//! cutter leans a little more, until strips just meet. What that leaves is nearer to the limit, axes are as steady, and it costs no way.
+//! cutter leans a little more, until strips just meet. What that leaves is nearer to the limit, and it costs no way.
 
 use super::follow::Part;
 use super::glean::{Look, Sought};
 use super::left::Moves;
 use super::probe::Setup;
+use super::walk::MOST_TURN;
 use super::{Planned, places};
 use crate::contact::cl_of;
 use crate::geometry::{FaceGrid, Uv};
@@ -30,14 +31,21 @@ const AROUND: usize = 12;
 const TIMES: usize = 8;
 /// The share of what may be left that is asked for where less was left before.
 const SHARE: f64 = 0.99;
+/// Up to how much it counts what was left before, and how finely, in limits.
+const MUCH_LEFT: f64 = 8.0;
+const FINE: f64 = 1e-3;
 /// How fast what is added may change along a pass, as a share of how fast the axis may turn.
 const STEADY: f64 = 0.1;
 /// What is added beyond this share of the lead is why it is not less.
 const MUCH: f64 = 0.05;
 /// Less is nothing, in leads.
 const LEAST: f64 = 1e-4;
+/// Contacts nearer than this to a place on the face lie there, mm.
+const AT: f64 = 1e-4;
 /// Lengths (mm) and angles that differ by less are the same.
 const SAME: f64 = 1e-9;
+/// How much of the time goes by before all of the face is looked at.
+const BEGUN: f64 = 0.1;
 /// What a person reads meanwhile.
 const EASE: &str = "Easing postures";
 
@@ -58,19 +66,21 @@ pub(super) fn eased(
         looks.retain(|look| !planned.unreached.contains(setup.face.surface.point(look.uv)));
         Ok(looks)
     };
-    let mut ease = Ease::new(setup, limits, &planned.passes);
-    ease.hold_ends(part.family.lines.grid(), &stage.quiet())?;
-    ease.clear(&stage.quiet())?;
+    let mut ease = Ease::new(part, limits, &planned.passes, &stage.quiet())?;
+    ease.hold_ends(&stage.quiet())?;
+    ease.clear(&stage.part(EASE, 0.0, BEGUN))?;
     for time in 0..TIMES {
         let within = |from: f64, to: f64| {
-            let at = |t: f64| (time as f64 + t) / TIMES as f64;
+            let at = |t: f64| BEGUN + (1.0 - BEGUN) * (time as f64 + t) / TIMES as f64;
             stage.part(EASE, at(from), at(to))
         };
         let moves = ease.moves();
-        let looks = looks(&moves, time > 0, &within(0.0, 0.5))?;
-        let mut high = ease.too_high(&moves, &looks, &stage.quiet())?;
-        if high.is_empty() {
-            planned.passes = ease.passes(part.family.lines.grid(), &stage.quiet())?;
+        // At first much is high wherever one looks.
+        let finely = time > 0;
+        let looks = looks(&moves, finely, &within(0.0, 0.4))?;
+        let mut high = ease.too_high(&moves, &looks, &within(0.4, 0.5))?;
+        if finely && high.is_empty() {
+            planned.passes = ease.passes(&stage.quiet())?;
             break;
         }
         let asked = high.clone();
@@ -104,16 +114,21 @@ struct Ease<'a> {
     /// The stations of all passes as they were, and which are those of each.
     stations: Vec<Station>,
     runs: Vec<Range<usize>>,
+    /// Where each touches the face.
+    uvs: Vec<Uv>,
     /// The first station of each move.
     firsts: Vec<usize>,
     before: Moves<'a>,
     /// How much more lead each station has, and may have, radians.
     more: Vec<f64>,
     most: Vec<f64>,
+    /// With how much more, at either end, the move from each station on was found to be clear.
+    cleared: Vec<[f64; 2]>,
 }
 
 impl<'a> Ease<'a> {
-    fn new(setup: &'a Setup<'a>, limits: Limits, passes: &[Pass]) -> Self {
+    fn new(part: &'a Part<'a>, limits: Limits, passes: &[Pass], stage: &Stage) -> Result<Self, Cancelled> {
+        let setup = &part.family.setup;
         let mut from = 0;
         let runs: Vec<Range<usize>> = passes
             .iter()
@@ -133,9 +148,12 @@ impl<'a> Ease<'a> {
         };
         let most: Vec<f64> = stations.iter().map(first).collect();
         let more = most.clone();
-        let mut ease = Self { setup, limits, stations, runs, firsts, before, more, most };
+        let grid = part.family.lines.grid();
+        let uvs = stage.map(runs.len(), |k| places_of(setup, grid, &stations[runs[k].clone()]))?.concat();
+        let cleared = vec![[0.0; 2]; stations.len()];
+        let mut ease = Self { setup, limits, stations, uvs, runs, firsts, before, more, most, cleared };
         ease.steady();
-        ease
+        Ok(ease)
     }
 
     /// A station as it leans now.
@@ -156,11 +174,17 @@ impl<'a> Ease<'a> {
         Moves::of(self.setup, self.firsts.iter().map(ends).collect())
     }
 
-    /// Those of `looks` where `moves` leave too much, and less was left before.
+    /// Those of `looks` where `moves` leave too much: more than is asked for, or was left before.
     fn too_high(&self, moves: &Moves, looks: &[Look], stage: &Stage) -> Result<Vec<High>, Cancelled> {
         let high = |Look { uv, most }: Look| {
-            let mut asked = [most, most / SHARE].into_iter();
-            let most = asked.find(|most| !moves.leave(uv, *most) || !self.before.leave(uv, *most))?;
+            let whole = most / SHARE;
+            let most = if !self.before.leave(uv, most) {
+                most
+            } else if !self.before.leave(uv, whole) {
+                whole
+            } else {
+                self.before.height(uv, MUCH_LEFT * whole, FINE * whole)?
+            };
             moves.leave(uv, most).then_some(High { uv, most })
         };
         Ok(stage.map(looks.len(), |k| high(looks[k]))?.into_iter().flatten().collect())
@@ -194,12 +218,12 @@ impl<'a> Ease<'a> {
 
     /// Takes all away from what cuts beside the ends of passes on the face: what is left there comes to points between three of them, which
     /// are finer than places that are looked at.
-    fn hold_ends(&mut self, grid: &FaceGrid, stage: &Stage) -> Result<(), Cancelled> {
+    fn hold_ends(&mut self, stage: &Stage) -> Result<(), Cancelled> {
         let (face, strip) = (self.setup.face, self.setup.strip);
         let ends: Vec<usize> = self.runs.iter().flat_map(|run| [run.start, run.end - 1]).collect();
         let beside = |k: usize| -> Vec<High> {
             let cc = &self.stations[ends[k]].cc;
-            let uv = face.nearest(grid, cc.point);
+            let uv = self.uvs[ends[k]];
             if face.surface.point(uv).distance(cc.point) > BESIDE * strip {
                 return Vec::new();
             }
@@ -266,7 +290,7 @@ impl<'a> Ease<'a> {
                         continue;
                     }
                     let before = turn([&self.stations[k], &self.stations[k + 1]]);
-                    let allowed = before.max(self.limits.most_turn[0] * self.way(k, k + 1));
+                    let allowed = before.max(MOST_TURN.min(self.limits.most_turn[0] * self.way(k, k + 1)));
                     if turn([&self.station(k), &self.station(k + 1)]) > allowed + SAME {
                         is_steady = false;
                         for k in [k, k + 1] {
@@ -297,54 +321,74 @@ impl<'a> Ease<'a> {
     /// Takes all away where the cutter would dig in, or its holder come into the part.
     fn clear(&mut self, stage: &Stage) -> Result<(), Cancelled> {
         loop {
-            let is_clear = stage.map(self.firsts.len(), |k| self.is_clear(self.firsts[k]))?;
-            let blocked = self.firsts.iter().zip(is_clear).filter(|(_, is_clear)| !is_clear);
+            let ends = |k: usize| [self.more[k], self.more[k + 1]];
+            let open = self.firsts.iter().copied().filter(|&k| ends(k) != self.cleared[k]);
+            let open: Vec<usize> = open.collect();
+            let is_clear = stage.map(open.len(), |k| self.is_clear(open[k]))?;
+            for (&k, is_clear) in open.iter().zip(&is_clear) {
+                if *is_clear {
+                    self.cleared[k] = [self.more[k], self.more[k + 1]];
+                }
+            }
+            let blocked = open.iter().zip(is_clear).filter(|(_, is_clear)| !is_clear);
             let blocked: Vec<usize> = blocked.map(|(k, _)| *k).collect();
             if blocked.is_empty() {
                 return Ok(());
             }
             for k in blocked {
                 self.more[k..k + 2].fill(0.0);
+                self.cleared[k] = [0.0; 2];
             }
             self.steady();
         }
     }
 
-    /// Whether the cutter clears the face at a station and on its way to the next, as far as it is eased.
+    /// Whether the cutter clears the face at the station `k` and the next, as far as they are eased, and on its way.
     fn is_clear(&self, k: usize) -> bool {
-        if self.more[k] <= 0.0 && self.more[k + 1] <= 0.0 {
-            return true;
-        }
-        let [a, b] = [self.station(k), self.station(k + 1)];
-        [a, b].iter().all(|station| self.setup.fits_beyond(station)) && self.setup.slides_off(&a, &b)
+        let fits = |k: usize| {
+            let (station, uv) = (self.station(k), self.uvs[k]);
+            self.more[k] <= 0.0
+                || self.setup.fits(&station, uv) && {
+                    let is_back = self.is_back(k);
+                    let more = station.cc.posture.lead - self.setup.postures.at(uv, is_back).lead;
+                    self.setup.slides_clear(uv, is_back, more, &station)
+                }
+        };
+        fits(k) && fits(k + 1) && self.setup.slides_off(&self.station(k), &self.station(k + 1))
+    }
+
+    /// Whether the feed at a station goes back along the line.
+    fn is_back(&self, k: usize) -> bool {
+        let along = self.stations[k].cc.frame.f;
+        self.setup.frame(self.uvs[k], false).is_some_and(|(_, frame)| frame.f.dot(along) < 0.0)
     }
 
     /// The passes as they lean now, with the strips that they then cut.
-    fn passes(&self, grid: &FaceGrid, stage: &Stage) -> Result<Vec<Pass>, Cancelled> {
-        stage.map(self.runs.len(), |k| Pass { stations: self.told(grid, self.runs[k].clone()) })
-    }
-
-    /// The stations of a pass as they lean now, each with the strip that it then cuts.
-    fn told(&self, grid: &FaceGrid, run: Range<usize>) -> Vec<Station> {
-        let face = self.setup.face;
-        let mut near: Option<Uv> = None;
+    fn passes(&self, stage: &Stage) -> Result<Vec<Pass>, Cancelled> {
         let told = |k: usize| {
             let mut station = self.station(k);
             if self.more[k] > 0.0 {
-                let point = station.cc.point;
-                let uv =
-                    near.map_or_else(|| face.nearest(grid, point), |near| face.nearest_from(near, point));
-                near = Some(uv);
-                let is_back = self
-                    .setup
-                    .frame(uv, false)
-                    .is_some_and(|(_, frame)| frame.f.dot(station.cc.frame.f) < 0.0);
-                station.work.strip = self.setup.width(uv, is_back, &station);
+                station.work.strip = self.setup.width(self.uvs[k], self.is_back(k), &station);
             }
             station
         };
-        run.map(told).collect()
+        stage.map(self.runs.len(), |k| Pass { stations: self.runs[k].clone().map(told).collect() })
     }
+}
+
+/// The places on the face nearest to the contacts of a pass: those of them that lie on it.
+fn places_of(setup: &Setup, grid: &FaceGrid, stations: &[Station]) -> Vec<Uv> {
+    let face = setup.face;
+    let mut last: Option<Uv> = None;
+    let place = |station: &Station| {
+        let point = station.cc.point;
+        let is_there = |uv: &Uv| face.surface.point(*uv).distance(point) < AT;
+        let near = last.map(|last| face.nearest_from(last, point)).filter(is_there);
+        let uv = near.unwrap_or_else(|| face.nearest(grid, point));
+        last = Some(uv);
+        uv
+    };
+    stations.iter().map(place).collect()
 }
 
 /// Whether two locations are one.

@@ -71,8 +71,9 @@ impl Family<'_> {
         let at = |share: f64| move |uv: Uv| Look { uv, most: share * limit };
         let [plain, close] = self.patches();
         let mut looks: Vec<Look> = plain.iter().chain(&close).map(|patch| at(1.0)(patch.low)).collect();
-        for (patches, finely) in [(&close, true), (&plain, finely)] {
-            looks.extend(self.high_looks(patches, moves, Sought { limit, finely }, stage)?);
+        let shares = [stage.share(0.0, 0.5), stage.share(0.5, 1.0)];
+        for ((patches, finely), stage) in [(&close, true), (&plain, finely)].into_iter().zip(shares) {
+            looks.extend(self.high_looks(patches, moves, Sought { limit, finely }, &stage)?);
         }
         let border = self.border();
         let is_high = |[a, b]: [Uv; 2]| moves.leave(a, HIGH * limit) || moves.leave(b, HIGH * limit);
@@ -113,7 +114,7 @@ impl Family<'_> {
             }
             looks
         };
-        Ok(stage.quiet().map(patches.len(), looks)?.into_iter().flatten().collect())
+        Ok(stage.map(patches.len(), looks)?.into_iter().flatten().collect())
     }
 
     /// The same in one of them, up to the ridges of cusps.
@@ -121,11 +122,12 @@ impl Family<'_> {
         let Some(cusps) = Cusps::new(&self.setup, patch, moves, limit) else { return Vec::new() };
         let root = |uv: Uv| cusps.share(uv, COARSE).sqrt();
         let nodes: Vec<f64> = patch.nodes(CLOSER[0]).map(root).collect();
-        let look = |(k, part): (usize, Patch)| {
+        let at = |uv: Uv, share: f64| Look { uv, most: share * limit };
+        let high = patch.nodes(CLOSER[0]).zip(&nodes).filter(|(_, root)| **root > 1.0);
+        let mut looks: Vec<Look> = high.map(|(uv, _)| at(uv, ON_RIDGE)).collect();
+        for (k, part) in patch.parts(CLOSER[0]).enumerate() {
             let middle = root(part.middle());
-            if middle > 1.0 - COARSE && moves.leave(part.middle(), limit) {
-                return Some(Look { uv: part.middle(), most: limit });
-            }
+            looks.extend((middle > 1.0).then(|| at(part.middle(), 1.0)));
             // Corners may lie on either side of a cusp.
             let first = k + k / CLOSER[0];
             let corners = [first, first + 1, first + CLOSER[0] + 1, first + CLOSER[0] + 2].map(|k| nodes[k]);
@@ -134,9 +136,9 @@ impl Family<'_> {
             let is_steep = high - low > STEEP;
             let may_be_high = if is_steep { high + RISE * (high - low) > 1.0 } else { high * high > NEARLY };
             let ridge = may_be_high.then(|| cusps.ridge(&part, ON_RIDGE)).flatten();
-            ridge.map(|uv| Look { uv, most: ON_RIDGE * limit })
-        };
-        patch.parts(CLOSER[0]).enumerate().filter_map(look).collect()
+            looks.extend(ridge.map(|uv| at(uv, ON_RIDGE)));
+        }
+        looks
     }
 
     /// Those of `looks` where `moves` leave more than they should: where the cutter can go, and where it cannot.

@@ -78,6 +78,19 @@ impl<'a> Moves<'a> {
         cutters
     }
 
+    /// How much is left at `uv`, mm along the normal, to a `fine`ness in mm and rather more; `None` where it is more than `most` (mm).
+    pub(super) fn height(&self, uv: Uv, most: f64, fine: f64) -> Option<f64> {
+        let (mut low, mut high) = (0.0, most);
+        if self.leave(uv, high) {
+            return None;
+        }
+        while high - low > fine {
+            let middle = 0.5 * (low + high);
+            *(if self.leave(uv, middle) { &mut low } else { &mut high }) = middle;
+        }
+        Some(high)
+    }
+
     /// The moves that may leave less than others within `reach` (mm) of `middle`.
     pub(super) fn around(&self, around: (DVec3, f64)) -> Near<'_> {
         self.near(around, self.wide, |k| self.moves.get(k))

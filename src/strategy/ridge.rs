@@ -46,7 +46,8 @@ impl<'m> Cusps<'m> {
         self.near.height(uv, MOST * self.limit, fine * self.limit) / self.limit
     }
 
-    /// A place in `part` of the patch where more than `most` limits are left, if one is found straight up the slope from its middle.
+    /// The highest place in `part` of the patch straight up the slope from its middle, if more than `most` limits are left there, as far as
+    /// that is told.
     pub(super) fn ridge(&self, part: &Patch, most: f64) -> Option<Uv> {
         let share = |[u, v]: [f64; 2]| self.share(part.at(u, v), FINE) / most;
         // Up a flank it is nearly straight.
@@ -68,11 +69,6 @@ impl<'m> Cusps<'m> {
             if steep * (high - low) < CLOSE {
                 break;
             }
-            let highest = if one.1 > two.1 { one } else { two };
-            if highest.1 > 1.0 {
-                let [u, v] = at(highest.0);
-                return Some(part.at(u, v));
-            }
             if one.1 > two.1 {
                 (high, two) = (two.0, one);
                 one = told(inner(low, high)[0]);
@@ -81,6 +77,8 @@ impl<'m> Cusps<'m> {
                 two = told(inner(low, high)[1]);
             }
         }
-        None
+        let (highest, share) = if one.1 > two.1 { one } else { two };
+        let [u, v] = at(highest);
+        (share > 1.0).then(|| part.at(u, v))
     }
 }

@@ -52,7 +52,7 @@ pub(super) fn ends(setup: &Setup, line: &IsoLine, reversed: bool) -> Vec<[ClPoin
 
 /// The most that the axis may turn in a move, radians (3°): parts of the cutter that nobody looks at here stray by the
 /// square of it.
-const MOST_TURN: f64 = 0.052;
+pub(super) const MOST_TURN: f64 = 0.052;
 /// The most that the cutter turns beyond a border, radians: a line that ends on a rolled-over edge of a tenth of a
 /// millimetre would otherwise wind up around it, over ground that is not there.
 const MOST_RUN_OUT_TURN: f64 = 0.4;

@@ -56,7 +56,8 @@ pub enum Bound {
     Met,
 }
 
-/// What a contact gets done, and why the cutter leans as it does there. For people to see: nothing is planned from it.
+/// What a contact gets done, and why the cutter leans as it does there. For people to see: planning takes no more from it than
+/// how far about a contact to look.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Work {
     /// Width of the strip that the cutter finishes to the scallop height planned for, square to the feed, mm; at a border twice its half
