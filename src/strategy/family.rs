@@ -114,9 +114,7 @@ impl<'a> Family<'a> {
         order: Order,
         stage: &Stage,
     ) -> Result<Planned, StrategyError> {
-        let laying = stage.part("Choosing postures", 0.0, 0.9);
-        let laid = Self::shortest((face, tool), rule, finish, fields, order, &laying)?;
-        laid.eased(&stage.part("Easing postures", 0.9, 1.0))
+        Ok(Self::shortest((face, tool), rule, finish, fields, order, stage)?.planned)
     }
 
     /// The passes along the level lines of `fields`, by whichever of the [`Rule::versions`] makes them shortest.

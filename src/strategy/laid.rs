@@ -1,5 +1,6 @@
 //! Passes that were laid in one of several ways, compared with others, and finished if they are the best.
 
+#[cfg(feature = "flow")]
 use super::ease::eased;
 use super::follow::{Part, followed};
 use super::{Planned, StrategyError};
@@ -7,6 +8,8 @@ use crate::geometry::Uv;
 use crate::monitor::Stage;
 #[cfg(feature = "flow")]
 use crate::posture::Rule;
+#[cfg(not(feature = "flow"))]
+use std::marker::PhantomData;
 
 /// Passes that were laid.
 pub(super) struct Laid<'a> {
@@ -14,7 +17,11 @@ pub(super) struct Laid<'a> {
     /// Whether they leave nothing above the limit wherever that was looked at.
     pub(super) is_whole: bool,
     /// The lines that they follow and other places to be looked at; none where those are of several families.
+    #[cfg(feature = "flow")]
     lines: Option<(Part<'a>, Vec<Uv>)>,
+    /// The page's first module eases nothing.
+    #[cfg(not(feature = "flow"))]
+    lines: PhantomData<Part<'a>>,
     /// The version of the rule by which the axis leans.
     #[cfg(feature = "flow")]
     pub(super) rule: Rule,
@@ -30,11 +37,13 @@ impl<'a> Laid<'a> {
     ) -> Result<Self, StrategyError> {
         let parts = [part];
         let (planned, is_whole) = followed(&parts, &others, stage)?;
-        let [part] = parts;
         Ok(Self {
             planned,
             is_whole,
-            lines: Some((part, others)),
+            #[cfg(feature = "flow")]
+            lines: parts.into_iter().next().zip(Some(others)),
+            #[cfg(not(feature = "flow"))]
+            lines: PhantomData,
             #[cfg(feature = "flow")]
             rule,
         })
@@ -67,6 +76,7 @@ impl<'a> Laid<'a> {
     }
 
     /// The passes, postures eased where they leave nothing.
+    #[cfg(feature = "flow")]
     pub(super) fn eased(self, stage: &Stage) -> Result<Planned, StrategyError> {
         Ok(match self.lines {
             Some((part, others)) if self.is_whole => eased(&part, &others, self.planned, stage)?,

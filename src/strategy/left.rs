@@ -63,6 +63,7 @@ impl<'a> Moves<'a> {
     }
 
     /// The numbers of the moves that leave less than `limit` (mm, along the normal) at `uv`.
+    #[cfg(feature = "flow")]
     pub(super) fn cutters(&self, uv: Uv, limit: f64) -> Vec<usize> {
         let Some((jet, n)) = self.setup.face.at(uv) else { return Vec::new() };
         let mut cutters = Vec::new();
@@ -79,6 +80,7 @@ impl<'a> Moves<'a> {
     }
 
     /// How much is left at `uv`, mm along the normal, to a `fine`ness in mm and rather more; `None` where it is more than `most` (mm).
+    #[cfg(feature = "flow")]
     pub(super) fn height(&self, uv: Uv, most: f64, fine: f64) -> Option<f64> {
         let (mut low, mut high) = (0.0, most);
         if self.leave(uv, high) {

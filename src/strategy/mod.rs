@@ -5,6 +5,7 @@ mod coarea;
 #[cfg(feature = "flow")]
 mod constant_scallop;
 mod corner;
+#[cfg(feature = "flow")]
 mod ease;
 #[cfg(feature = "flow")]
 mod edge_to_edge;

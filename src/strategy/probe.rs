@@ -110,12 +110,9 @@ impl Setup<'_> {
     /// nor anywhere else.
     pub(super) fn fits(&self, station: &Station, uv: Uv) -> bool {
         let (cl, cc) = (&station.cl, &station.cc);
-        !self.obstacle.digs_beside(self.cutter, cl, uv, &cc.frame, -GOUGE) && self.fits_beyond(station)
-    }
-
-    /// Whether the cutter at `station` reaches into the face nowhere but, perhaps, beside its contact.
-    pub(super) fn fits_beyond(&self, Station { cl, cc, .. }: &Station) -> bool {
-        !self.obstacle.digs(self.cutter, cl, cc.point, -GOUGE) && self.holder_clears(cl)
+        !self.obstacle.digs_beside(self.cutter, cl, uv, &cc.frame, -GOUGE)
+            && !self.obstacle.digs(self.cutter, cl, cc.point, -GOUGE)
+            && self.holder_clears(cl)
     }
 
     /// Whether the cutter at `cl`, which touches nothing, reaches into the face nowhere at all.
