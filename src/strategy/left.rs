@@ -160,6 +160,7 @@ impl<'a> Moves<'a> {
     }
 
     /// Whether the cutter takes `point` away on its way along a part.
+    #[inline(never)]
     pub(super) fn cuts(&self, part: &Part, point: DVec3) -> bool {
         let most = part.most;
         if part.middle.is_clear(point, most) {
@@ -210,6 +211,8 @@ pub(super) struct Near<'m> {
 
 impl Near<'_> {
     /// How much is left at `uv`, mm along the normal, to a `fine`ness in mm; `most` where it is more.
+    // Small rather than a little faster: the page's first module carries it.
+    #[inline(never)]
     pub(super) fn height(&self, uv: Uv, most: f64, fine: f64) -> f64 {
         let Self { moves, wide, found } = self;
         let Some((jet, n)) = moves.setup.face.at(uv) else { return 0.0 };

@@ -42,6 +42,7 @@ impl<'m> Cusps<'m> {
     }
 
     /// How much is left at a place in the patch, in limits, to a `fine`ness in the same; above 1 if it surely is.
+    #[inline(never)]
     pub(super) fn share(&self, uv: Uv, fine: f64) -> f64 {
         self.near.height(uv, MOST * self.limit, fine * self.limit) / self.limit
     }
