@@ -72,8 +72,14 @@ pub fn choose(rule: &Rule, ground: &Ground, both: bool, stage: &Stage) -> Result
     if both {
         ways.push(one_way(&limits, ground, &grid, true, &stage.part("Choosing postures", half, 1.0))?.1);
     }
-    let free = matches!(rule, Rule::Widest(_)).then_some(limits);
-    Ok(PostureField::chosen(typical, ways, spots, fit, free))
+    Ok(PostureField::chosen(
+        typical,
+        ways,
+        spots,
+        fit,
+        #[cfg(feature = "flow")]
+        matches!(rule, Rule::Widest(_)).then_some(limits),
+    ))
 }
 
 /// [`any_way`], with lifts where they save enough.

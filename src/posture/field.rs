@@ -1,5 +1,6 @@
 //! The posture at any place of a face.
 
+#[cfg(feature = "flow")]
 use super::Limits;
 use super::spline::Axis;
 use crate::geometry::{Jet, Uv};
@@ -14,6 +15,7 @@ pub struct PostureField {
     ways: Vec<Way>,
     misfits: Vec<Uv>,
     largest_fit: Option<f64>,
+    #[cfg(feature = "flow")]
     limits: Option<Limits>,
 }
 
@@ -41,7 +43,14 @@ pub(super) struct Way {
 impl PostureField {
     /// The same posture everywhere.
     pub fn fixed(posture: Posture) -> Self {
-        Self { typical: posture, ways: Vec::new(), misfits: Vec::new(), largest_fit: None, limits: None }
+        Self {
+            typical: posture,
+            ways: Vec::new(),
+            misfits: Vec::new(),
+            largest_fit: None,
+            #[cfg(feature = "flow")]
+            limits: None,
+        }
     }
 
     /// At least one way; `typical` is the mean posture, and what was chosen for the widest strips within `limits` may lean more.
@@ -50,9 +59,16 @@ impl PostureField {
         ways: Vec<Way>,
         misfits: Vec<Uv>,
         largest_fit: Option<f64>,
-        limits: Option<Limits>,
+        #[cfg(feature = "flow")] limits: Option<Limits>,
     ) -> Self {
-        Self { typical, ways, misfits, largest_fit, limits }
+        Self {
+            typical,
+            ways,
+            misfits,
+            largest_fit,
+            #[cfg(feature = "flow")]
+            limits,
+        }
     }
 
     /// The posture at `uv`, for feed the one way or `reversed`, each in its own contact frame.
@@ -95,6 +111,7 @@ impl PostureField {
         self.typical
     }
 
+    #[cfg(feature = "flow")]
     /// The limits within which postures were chosen for the widest strips; nothing where another rule tells them.
     pub fn limits(&self) -> Option<Limits> {
         self.limits

@@ -65,16 +65,16 @@ impl Family<'_> {
         &self,
         moves: &Moves,
         (others, ridges): (&[Uv], &[Uv]),
-        Sought { limit, finely }: Sought,
+        sought: Sought,
         stage: &Stage,
     ) -> Result<Vec<Look>, Cancelled> {
+        let limit = sought.limit;
         let at = |share: f64| move |uv: Uv| Look { uv, most: share * limit };
         let [plain, close] = self.patches();
         let mut looks: Vec<Look> = plain.iter().chain(&close).map(|patch| at(1.0)(patch.low)).collect();
-        let shares = [stage.share(0.0, 0.5), stage.share(0.5, 1.0)];
-        for ((patches, finely), stage) in [(&close, true), (&plain, finely)].into_iter().zip(shares) {
-            looks.extend(self.high_looks(patches, moves, Sought { limit, finely }, &stage)?);
-        }
+        let closely = Sought { limit, finely: true };
+        looks.extend(self.high_looks(&close, moves, closely, &stage.share(0.0, 0.5))?);
+        looks.extend(self.high_looks(&plain, moves, sought, &stage.share(0.5, 1.0))?);
         let border = self.border();
         let is_high = |[a, b]: [Uv; 2]| moves.leave(a, HIGH * limit) || moves.leave(b, HIGH * limit);
         let is_high = stage.quiet().map(border.len(), |k| is_high(border[k]))?;
@@ -120,23 +120,32 @@ impl Family<'_> {
     /// The same in one of them, up to the ridges of cusps.
     fn looks_in(&self, patch: &Patch, moves: &Moves, limit: f64) -> Vec<Look> {
         let Some(cusps) = Cusps::new(&self.setup, patch, moves, limit) else { return Vec::new() };
-        let root = |uv: Uv| cusps.share(uv, COARSE).sqrt();
-        let nodes: Vec<f64> = patch.nodes(CLOSER[0]).map(root).collect();
-        let at = |uv: Uv, share: f64| Look { uv, most: share * limit };
-        let high = patch.nodes(CLOSER[0]).zip(&nodes).filter(|(_, root)| **root > 1.0);
-        let mut looks: Vec<Look> = high.map(|(uv, _)| at(uv, ON_RIDGE)).collect();
+        let root = |uv: Uv| (uv, cusps.share(uv, COARSE).sqrt());
+        let nodes: Vec<(Uv, f64)> = patch.nodes(CLOSER[0]).map(root).collect();
+        let mut looks = Vec::new();
+        let mut look = |uv: Uv, share: f64| looks.push(Look { uv, most: share * limit });
+        for &(uv, root) in &nodes {
+            if root > 1.0 {
+                look(uv, ON_RIDGE);
+            }
+        }
         for (k, part) in patch.parts(CLOSER[0]).enumerate() {
-            let middle = root(part.middle());
-            looks.extend((middle > 1.0).then(|| at(part.middle(), 1.0)));
+            let (uv, middle) = root(part.middle());
+            if middle > 1.0 {
+                look(uv, 1.0);
+            }
             // Corners may lie on either side of a cusp.
             let first = k + k / CLOSER[0];
-            let corners = [first, first + 1, first + CLOSER[0] + 1, first + CLOSER[0] + 2].map(|k| nodes[k]);
-            let low = corners.into_iter().fold(middle, f64::min);
-            let high = corners.into_iter().fold(middle, f64::max);
-            let is_steep = high - low > STEEP;
-            let may_be_high = if is_steep { high + RISE * (high - low) > 1.0 } else { high * high > NEARLY };
-            let ridge = may_be_high.then(|| cusps.ridge(&part, ON_RIDGE)).flatten();
-            looks.extend(ridge.map(|uv| at(uv, ON_RIDGE)));
+            let (mut low, mut high) = (middle, middle);
+            for k in [first, first + 1, first + CLOSER[0] + 1, first + CLOSER[0] + 2] {
+                (low, high) = (low.min(nodes[k].1), high.max(nodes[k].1));
+            }
+            let most = if high - low > STEEP { high + RISE * (high - low) } else { high * high / NEARLY };
+            if most > 1.0
+                && let Some(uv) = cusps.ridge(&part, ON_RIDGE)
+            {
+                look(uv, ON_RIDGE);
+            }
         }
         looks
     }

@@ -57,7 +57,7 @@ impl Patch {
     /// The corners of those, row after row.
     pub(super) fn nodes(self, side: usize) -> impl Iterator<Item = Uv> {
         let share = move |k: usize| k as f64 / side as f64;
-        (0..=side).flat_map(move |j| (0..=side).map(move |i| self.at(share(i), share(j))))
+        (0..(side + 1) * (side + 1)).map(move |k| self.at(share(k % (side + 1)), share(k / (side + 1))))
     }
 
     /// The middles of as many times as many parts of it.
