@@ -33,6 +33,11 @@ impl Aabb {
         0.5 * (self.lo + self.hi)
     }
 
+    /// The smallest ball around the box: its middle and half the diagonal.
+    pub fn ball(&self) -> (DVec3, f64) {
+        (self.center(), 0.5 * self.lo.distance(self.hi))
+    }
+
     /// Distance from `p` to the box, squared; 0 inside.
     pub fn distance_squared(&self, p: DVec3) -> f64 {
         (p.clamp(self.lo, self.hi) - p).length_squared()

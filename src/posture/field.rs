@@ -111,8 +111,8 @@ impl PostureField {
         self.typical
     }
 
-    #[cfg(feature = "flow")]
     /// The limits within which postures were chosen for the widest strips; nothing where another rule tells them.
+    #[cfg(feature = "flow")]
     pub fn limits(&self) -> Option<Limits> {
         self.limits
     }

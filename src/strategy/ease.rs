@@ -208,7 +208,7 @@ impl<'a> Ease<'a> {
 
     /// The stations of the moves that cut one of the places `high` before.
     fn cutters(&self, high: &[High], stage: &Stage) -> Result<Vec<usize>, Cancelled> {
-        let moves = stage.map(high.len(), |k| self.before.cutters(high[k].uv, high[k].most))?;
+        let moves = stage.map(high.len(), |k| self.before.cutters_at(high[k].uv, high[k].most))?;
         let mut is_cutter = vec![false; self.stations.len()];
         for k in moves.into_iter().flatten().map(|k| self.firsts[k]) {
             is_cutter[k..k + 2].fill(true);
@@ -238,11 +238,7 @@ impl<'a> Ease<'a> {
             rings.map(place).collect()
         };
         let places = stage.map(ends.len(), beside)?;
-        for k in self.cutters(&places.concat(), stage)? {
-            self.more[k] = 0.0;
-        }
-        self.steady();
-        Ok(())
+        self.take_back(&places.concat(), 0.0, stage)
     }
 
     /// Adds a little more wherever none of the places `asked` then is high, again and again.
@@ -322,13 +318,11 @@ impl<'a> Ease<'a> {
     fn clear(&mut self, stage: &Stage) -> Result<(), Cancelled> {
         loop {
             let ends = |k: usize| [self.more[k], self.more[k + 1]];
-            let open = self.firsts.iter().copied().filter(|&k| ends(k) != self.cleared[k]);
-            let open: Vec<usize> = open.collect();
+            let is_open = |k: &usize| ends(*k) != self.cleared[*k];
+            let open: Vec<usize> = self.firsts.iter().copied().filter(is_open).collect();
             let is_clear = stage.map(open.len(), |k| self.is_clear(open[k]))?;
-            for (&k, is_clear) in open.iter().zip(&is_clear) {
-                if *is_clear {
-                    self.cleared[k] = [self.more[k], self.more[k + 1]];
-                }
+            for &k in &open {
+                self.cleared[k] = [self.more[k], self.more[k + 1]];
             }
             let blocked = open.iter().zip(is_clear).filter(|(_, is_clear)| !is_clear);
             let blocked: Vec<usize> = blocked.map(|(k, _)| *k).collect();
@@ -415,12 +409,8 @@ mod tests {
     fn between(setup: &Setup, passes: &[Pass], [from, to]: [f64; 2]) -> f64 {
         let moves = Moves::new(setup, passes.iter());
         let share = |v: f64| {
-            let (mut low, mut high) = (0.0, 1.5);
-            while high - low > 1e-3 {
-                let middle = 0.5 * (low + high);
-                *(if moves.leave(Uv::new(1.0, v), middle * SCALLOP) { &mut low } else { &mut high }) = middle;
-            }
-            low
+            let height = moves.height(Uv::new(1.0, v), 1.5 * SCALLOP, 1e-3 * SCALLOP);
+            height.map_or(1.5, |height| height / SCALLOP)
         };
         (0..=400).map(|k| share(from + (to - from) * f64::from(k) / 400.0)).fold(0.0, f64::max)
     }
@@ -448,14 +438,7 @@ mod tests {
         };
         let (step, part) = lay(&Rule::Widest(limits));
         let setup = part.family.setup.clone();
-        let laid = Laid::of(
-            #[cfg(feature = "flow")]
-            Rule::Widest(limits),
-            part,
-            Vec::new(),
-            &stage,
-        )
-        .unwrap();
+        let laid = Laid::of(Rule::Widest(limits), part, Vec::new(), &stage).unwrap();
         assert!(laid.is_whole);
         let before = laid.planned.passes.clone();
         let after = laid.eased(&stage).unwrap().passes;
@@ -478,14 +461,7 @@ mod tests {
         }
         // What is prescribed stays as it is.
         let (_, part) = lay(&Rule::Matched(limits));
-        let laid = Laid::of(
-            #[cfg(feature = "flow")]
-            Rule::Matched(limits),
-            part,
-            Vec::new(),
-            &stage,
-        )
-        .unwrap();
+        let laid = Laid::of(Rule::Matched(limits), part, Vec::new(), &stage).unwrap();
         let before = laid.planned.passes.clone();
         assert_eq!(before, laid.eased(&stage).unwrap().passes);
     }

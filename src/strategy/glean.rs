@@ -140,8 +140,9 @@ impl Family<'_> {
             for k in [first, first + 1, first + CLOSER[0] + 1, first + CLOSER[0] + 2] {
                 (low, high) = (low.min(nodes[k].1), high.max(nodes[k].1));
             }
-            let most = if high - low > STEEP { high + RISE * (high - low) } else { high * high / NEARLY };
-            if most > 1.0
+            let may_rise_to =
+                if high - low > STEEP { high + RISE * (high - low) } else { high * high / NEARLY };
+            if may_rise_to > 1.0
                 && let Some(uv) = cusps.ridge(&part, ON_RIDGE)
             {
                 look(uv, ON_RIDGE);

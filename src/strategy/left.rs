@@ -56,41 +56,40 @@ impl<'a> Moves<'a> {
         &self.moves
     }
 
+    /// The point at `uv` and the one so far above it along the normal, mm; `None` where there is no normal.
+    fn place(&self, uv: Uv, above: f64) -> Option<(DVec3, DVec3)> {
+        self.setup.face.at(uv).map(|(jet, n)| (jet.p, jet.p + n * above))
+    }
+
     /// Whether more than `limit` (mm, along the normal) is left at `uv`; where there is no normal, nothing is.
     pub(super) fn leave(&self, uv: Uv, limit: f64) -> bool {
-        let Some((jet, n)) = self.setup.face.at(uv) else { return false };
-        !self.cut((jet.p, jet.p + n * limit), self.wide, |k| self.moves.get(k))
+        let is_left = |place| !self.cut(place, self.wide, |k| self.moves.get(k));
+        self.place(uv, limit).is_some_and(is_left)
     }
 
     /// The numbers of the moves that leave less than `limit` (mm, along the normal) at `uv`.
     #[cfg(feature = "flow")]
-    pub(super) fn cutters(&self, uv: Uv, limit: f64) -> Vec<usize> {
-        let Some((jet, n)) = self.setup.face.at(uv) else { return Vec::new() };
+    pub(super) fn cutters_at(&self, uv: Uv, limit: f64) -> Vec<usize> {
+        self.place(uv, limit).map_or_else(Vec::new, |place| self.cutters(place, self.wide))
+    }
+
+    /// The numbers of the moves that take away the second of two points, of those that touch no farther than `wide` (mm) from the first.
+    pub(super) fn cutters(&self, place: (DVec3, DVec3), wide: f64) -> Vec<usize> {
         let mut cutters = Vec::new();
-        self.find(
-            (jet.p, jet.p + n * limit),
-            self.wide,
-            |k| self.moves.get(k),
-            |k| {
-                cutters.push(k);
-                false
-            },
-        );
+        let all = |k: usize| self.moves.get(k);
+        self.find(place, wide, all, |k| {
+            cutters.push(k);
+            false
+        });
         cutters
     }
 
-    /// How much is left at `uv`, mm along the normal, to a `fine`ness in mm and rather more; `None` where it is more than `most` (mm).
+    /// How much is left at `uv`, mm along the normal, to a `fine`ness in mm and rather more; `None` where it is as much as `most` (mm).
     #[cfg(feature = "flow")]
     pub(super) fn height(&self, uv: Uv, most: f64, fine: f64) -> Option<f64> {
-        let (mut low, mut high) = (0.0, most);
-        if self.leave(uv, high) {
-            return None;
-        }
-        while high - low > fine {
-            let middle = 0.5 * (low + high);
-            *(if self.leave(uv, middle) { &mut low } else { &mut high }) = middle;
-        }
-        Some(high)
+        let (point, _) = self.place(uv, most)?;
+        let left = self.around((point, most)).height(uv, most, fine);
+        (left < most).then_some(left)
     }
 
     /// The moves that may leave less than others within `reach` (mm) of `middle`.
@@ -160,7 +159,6 @@ impl<'a> Moves<'a> {
     }
 
     /// Whether the cutter takes `point` away on its way along a part.
-    #[inline(never)]
     pub(super) fn cuts(&self, part: &Part, point: DVec3) -> bool {
         let most = part.most;
         if part.middle.is_clear(point, most) {
@@ -210,9 +208,7 @@ pub(super) struct Near<'m> {
 }
 
 impl Near<'_> {
-    /// How much is left at `uv`, mm along the normal, to a `fine`ness in mm; `most` where it is more.
-    // Small rather than a little faster: the page's first module carries it.
-    #[inline(never)]
+    /// How much is left at `uv`, mm along the normal, to a `fine`ness in mm and rather more; `most` where it is more.
     pub(super) fn height(&self, uv: Uv, most: f64, fine: f64) -> f64 {
         let Self { moves, wide, found } = self;
         let Some((jet, n)) = moves.setup.face.at(uv) else { return 0.0 };
@@ -326,7 +322,7 @@ mod tests {
             };
             let places: Vec<_> = (0..4).map(place).collect();
             let around = Aabb::around(places.iter().flat_map(|&(point, top)| [point, top]));
-            let near = moves.near((around.center(), 0.5 * around.lo.distance(around.hi)), wide, part);
+            let near = moves.near(around.ball(), wide, part);
             assert!(near.found.len() < moves.all().len() / 2);
             for place in places {
                 let [mut one, mut all] = [Vec::new(), Vec::new()];

@@ -67,6 +67,7 @@ struct Planner<'a> {
 }
 
 impl<'a> Planner<'a> {
+    /// The passes of as many families as leave something for another.
     fn laid(&self, rule: Rule, stage: &Stage) -> Result<Laid<'a>, StrategyError> {
         let (mut parts, mut places) = (Vec::new(), Vec::new());
         while parts.len() < FAMILIES && self.left(&parts) > LEFT {

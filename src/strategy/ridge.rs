@@ -35,14 +35,12 @@ impl<'m> Cusps<'m> {
         let asked = patch.corners().into_iter().chain([patch.middle()]);
         let ends =
             asked.filter_map(|uv| setup.face.at(uv)).flat_map(|(jet, n)| [jet.p, jet.p + n * MOST * limit]);
-        let around = Aabb::around(ends);
-        let size = around.lo.distance(around.hi);
+        let (middle, reach) = Aabb::around(ends).ball();
         // What bulges between the corners of so small a patch stays within a half more.
-        size.is_finite().then(|| Self { near: moves.around((around.center(), 0.75 * size)), limit })
+        reach.is_finite().then(|| Self { near: moves.around((middle, 1.5 * reach)), limit })
     }
 
-    /// How much is left at a place in the patch, in limits, to a `fine`ness in the same; above 1 if it surely is.
-    #[inline(never)]
+    /// How much is left at a place in the patch, in limits, to a `fine`ness in the same and rather more.
     pub(super) fn share(&self, uv: Uv, fine: f64) -> f64 {
         self.near.height(uv, MOST * self.limit, fine * self.limit) / self.limit
     }

@@ -258,8 +258,7 @@ impl<'a> Trim<'a> {
     /// The middle of some places and of what lies above them by up to the limit, and how far from it that reaches, mm.
     fn around_places(&self, places: &[Place]) -> (DVec3, f64) {
         let ends = |place: &Place| <[DVec3; 2]>::from(self.asked(&Place { share: 1.0, ..*place }));
-        let around = Aabb::around(places.iter().flat_map(ends));
-        (around.center(), 0.5 * around.lo.distance(around.hi))
+        Aabb::around(places.iter().flat_map(ends)).ball()
     }
 
     /// The moves at an end that are looked at.

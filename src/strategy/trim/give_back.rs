@@ -68,14 +68,9 @@ impl Trim<'_> {
             stage.at(0.0)?;
             if !self.cut(place) {
                 let (point, top) = self.asked(place);
-                let mut ways = Vec::new();
-                let all = |k: usize| self.moves.all().get(k);
-                self.moves.find((point, top), self.wide, all, |k| {
-                    ways.push(self.way_to(k));
-                    false
-                });
+                let cutters = self.moves.cutters((point, top), self.wide);
                 let shorter = |a: Way, b: Way| if b.length < a.length { b } else { a };
-                if let Some(way) = ways.into_iter().reduce(shorter) {
+                if let Some(way) = cutters.into_iter().map(|k| self.way_to(k)).reduce(shorter) {
                     self.lengthen(&way, top);
                 }
             }
