@@ -98,14 +98,15 @@ pub fn built(name: &str) -> PathBuf {
 }
 
 /// Writes the module `from` to `to` without what is said twice. `-O1`: higher levels take three times as long for a
-/// thousandth of the size; the passes after it take a moment for five thousandths.
+/// thousandth of the size; the passes after it take a moment for nine thousandths.
 fn shrink(from: &Path, to: &Path) -> Result<()> {
     let features = ["simd", "bulk-memory", "nontrapping-float-to-int", "sign-ext", "mutable-globals"];
     let more = ["reference-types", "multivalue", "extended-const"];
     let mut args: Vec<String> = features.iter().chain(&more).map(|name| format!("--enable-{name}")).collect();
-    let passes = ["--rse", "--simplify-locals", "--remove-unused-brs", "--code-folding", "--vacuum"];
-    args.push("-O1".into());
-    args.extend(passes.iter().chain(&["--duplicate-function-elimination"]).map(|name| name.to_string()));
+    let passes =
+        ["-O1", "--dae-optimizing", "--rse", "--simplify-locals", "--remove-unused-brs", "--code-folding"];
+    let last = ["--vacuum", "--duplicate-function-elimination", "--reorder-locals"];
+    args.extend(passes.iter().chain(&last).map(|name| name.to_string()));
     args.extend([from.display().to_string(), "-o".into(), to.display().to_string()]);
     let args: Vec<&str> = args.iter().map(String::as_str).collect();
     page::tool("wasm-opt", &args).run()
