@@ -26,7 +26,7 @@ const STEEP: f64 = 0.12;
 const RISE: f64 = 0.7;
 /// The share of the limit that the very ridges of cusps may reach, which strips that meet edge to edge leave at the limit: 1.00
 /// of it, as far as that is written.
-const ON_RIDGE: f64 = 1.004;
+const ON_RIDGE: f64 = 1.0;
 /// Places nearer to each other than this belong together, in strips.
 const TOGETHER: f64 = 0.55;
 /// How far a short pass goes beyond what it is for, in strips.
