@@ -8,6 +8,7 @@ import { test } from 'node:test';
 import { brotliCompressSync, gzipSync } from 'node:zlib';
 import './link.test.js';
 import './machine-text.test.js';
+import './room.test.js';
 import './study.test.js';
 import './text.test.js';
 import './turning-link.test.js';

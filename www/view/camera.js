@@ -1,14 +1,14 @@
 /** The camera: standard views, fitting, and the keys. */
 import { Box3, OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { meet, rooms } from './room.js';
 
 /** A long lens: little distortion, so that parallel passes look parallel. */
 const FIELD_OF_VIEW_DEG = 24;
 const TURN_RAD = Math.PI / 36;
 const ZOOM = 1.12;
-/** Pixels that the controls around the picture cover, both sides together. */
-const MARGIN_X = 72;
-const MARGIN_Y = 200;
+/** Pixels between what is shown and the controls around it. */
+const MARGIN = 20;
 
 /** Where each view looks from; z is up. @type {Record<string, [number, number, number]>} */
 const FROM = {
@@ -23,9 +23,10 @@ const FROM = {
 
 /**
  * @param {HTMLCanvasElement} canvas
+ * @param {() => import('./room.js').Room[]} covered What controls cover of it.
  * @param {() => void} onChange
  */
-export function createCamera(canvas, onChange) {
+export function createCamera(canvas, covered, onChange) {
   const lens = new PerspectiveCamera(FIELD_OF_VIEW_DEG, 1, 1, 1000);
   /** Without perspective: lengths can be compared. */
   const parallel = new OrthographicCamera(-1, 1, 1, -1, 1, 1000);
@@ -37,6 +38,9 @@ export function createCamera(canvas, onChange) {
   controls.zoomToCursor = true;
   const box = new Box3(new Vector3(-50, -50, -10), new Vector3(50, 50, 10));
   const size = { width: 1, height: 1 };
+  /** Where in the picture the box is shown, and the middle of that in parts of its sides. @type {import('./room.js').Room | null} */
+  let room = null;
+  let middle = { x: 0.5, y: 0.5 };
   /** The standard view in force, until somebody turns the picture. */
   let standing = 'iso';
   let isDown = false;
@@ -50,7 +54,7 @@ export function createCamera(canvas, onChange) {
     return new Vector3(x, y, view === 'iso' && isDown ? -z : z);
   }
 
-  /** Looks along a direction from as near as the whole box allows. @param {Vector3} from */
+  /** Looks along a direction from as near as the whole box allows, shown where there is most room for it. @param {Vector3} from */
   function fit(from) {
     const centre = box.getCenter(new Vector3());
     const radius = box.getSize(new Vector3()).length() / 2;
@@ -60,14 +64,26 @@ export function createCamera(canvas, onChange) {
     const [right, up, back] = [new Vector3(), new Vector3(), new Vector3()];
     camera.matrixWorld.extractBasis(right, up, back);
     const half = Math.tan((lens.fov * Math.PI) / 360);
-    const tall = half * Math.max(1 - MARGIN_Y / size.height, 0.3);
-    const wide = half * (size.width / size.height) * Math.max(1 - MARGIN_X / size.width, 0.3);
-    let distance = 0;
-    for (const corner of corners(box)) {
+    const ends = corners(box).map((corner) => {
       corner.sub(centre);
-      const across = Math.max(Math.abs(corner.dot(right)) / wide, Math.abs(corner.dot(up)) / tall);
-      distance = Math.max(distance, corner.dot(back) + across);
-    }
+      return { x: Math.abs(corner.dot(right)), y: Math.abs(corner.dot(up)), z: corner.dot(back) };
+    });
+    const perPixel = (2 * half) / size.height;
+    const places = rooms(size, covered()).map((room) => {
+      const wide = perPixel * Math.max((room.right - room.left) / 2 - MARGIN, 1);
+      const tall = perPixel * Math.max((room.bottom - room.top) / 2 - MARGIN, 1);
+      const distance = Math.max(...ends.map(({ x, y, z }) => z + Math.max(x / wide, y / tall)));
+      return { room, distance, area: wide * tall };
+    });
+    const best = places.reduce((a, b) =>
+      b.distance < a.distance || (b.distance === a.distance && b.area > a.area) ? b : a,
+    );
+    const { distance } = best;
+    room = best.room;
+    middle = {
+      x: (room.left + room.right) / 2 / size.width,
+      y: (room.top + room.bottom) / 2 / size.height,
+    };
     controls.target.copy(centre);
     camera.position.copy(centre).addScaledVector(back, distance);
     for (const one of [lens, parallel]) {
@@ -88,7 +104,9 @@ export function createCamera(canvas, onChange) {
     lens.aspect = aspect;
     const tall = Math.tan((lens.fov * Math.PI) / 360) * distance;
     Object.assign(parallel, { left: -tall * aspect, right: tall * aspect, top: tall, bottom: -tall });
-    for (const one of [lens, parallel]) one.updateProjectionMatrix();
+    const { width, height } = size;
+    const [x, y] = [(0.5 - middle.x) * width, (0.5 - middle.y) * height];
+    for (const one of [lens, parallel]) one.setViewOffset(width, height, x, y, width, height);
   }
 
   canvas.addEventListener('keydown', (event) => {
@@ -173,6 +191,12 @@ export function createCamera(canvas, onChange) {
       const from = FROM[view];
       standing = from ? view : '';
       fit(from ? direction(view) : camera.position.clone().sub(controls.target));
+    },
+
+    /** Fits again where controls have come to cover what a standard view shows. */
+    settle() {
+      const place = room;
+      if (standing && place && covered().some((control) => meet(place, control))) fit(direction(standing));
     },
 
     /** @param {number} width @param {number} height */

@@ -26,6 +26,9 @@ import { createZones } from './zones.js';
 /** A picture that did not move for this time is at rest, milliseconds. */
 const REST_MS = 300;
 
+/** What lies in the same place as the picture, or comes and goes over it. */
+const ASIDE = ['canvas', 'domain', 'notice'];
+
 /** A pointer that moved less than this many pixels was clicking, not turning. */
 const CLICK = 5;
 
@@ -48,7 +51,7 @@ export function createCanvas3d(root, { onFace, onAt, onPoint, onPick }) {
   const start = createStartCurve();
   const overlays = createOverlays();
   const tintOf = createTints();
-  const view = createCamera(canvas, move);
+  const view = createCamera(canvas, covered, move);
   // Lights travel with the eye: whatever is looked at is lit from above the left shoulder.
   const sky = new AmbientLight(0xffffff, 1.15);
   const key = new DirectionalLight(0xffffff, 2.4);
@@ -119,6 +122,22 @@ export function createCanvas3d(root, { onFace, onAt, onPoint, onPick }) {
     draw();
   }
 
+  /** What lies over the picture. */
+  const controls = [...(root.parentElement?.children ?? [])].filter(({ id }) => !ASIDE.includes(id));
+
+  /** What controls cover of it. */
+  function covered() {
+    const { left, top } = root.getBoundingClientRect();
+    return [...controls.map((control) => control.getBoundingClientRect()), cube.box()]
+      .filter(({ width, height }) => width > 0 && height > 0)
+      .map((box) => ({
+        left: box.left - left,
+        top: box.top - top,
+        right: box.right - left,
+        bottom: box.bottom - top,
+      }));
+  }
+
   function resize() {
     const { clientWidth: width, clientHeight: height } = root;
     if (!drawing.resize(width, height)) return;
@@ -129,6 +148,8 @@ export function createCanvas3d(root, { onFace, onAt, onPoint, onPick }) {
 
   resize();
   new ResizeObserver(resize).observe(root);
+  const settling = new ResizeObserver(() => view.settle());
+  for (const control of controls) settling.observe(control);
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', theme);
   canvas.addEventListener('webglcontextrestored', draw);
   theme();

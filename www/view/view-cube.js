@@ -50,6 +50,13 @@ export function createViewCube(root, onSide) {
   const flip = new Matrix4().makeScale(1, -1, 1);
 
   return {
+    /** What it covers of the page, however it is turned. */
+    box() {
+      const { x, y } = cube.getBoundingClientRect();
+      const reach = HALF * Math.sqrt(3);
+      return new DOMRect(x - reach, y - reach, 2 * reach, 2 * reach);
+    },
+
     /** @param {import('three').Camera} camera */
     turn(camera) {
       const view = new Matrix4().extractRotation(camera.matrixWorldInverse);
