@@ -216,25 +216,14 @@ fn pieces(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cutter::{Cutter, Tool};
-    use crate::geometry::{Face, Plane, Range, Side};
-    use crate::math::frame::Frame;
-    use crate::posture::Rule;
     use crate::strategy::family::Detail;
-    use crate::strategy::{Finish, Order};
-    use crate::toolpath::Posture;
+    use crate::strategy::trial::{family, flat, leaning};
 
     /// Steps of 0.98 strips between two lines as many apart: with halvings there would be one, three or seven passes.
     #[test]
     fn as_many_passes_close_a_gap_as_it_has_strips() {
-        let frame = Frame { f: DVec3::X, b: DVec3::Y, n: DVec3::Z };
-        let (u, v) = (Range::open(0.0, 20.0), Range::open(0.0, 40.0));
-        let face = Face::new(Plane { origin: DVec3::ZERO, frame, u, v }, Side::Front);
-        let tool = Tool { cutter: Cutter::bull_nose(10.0, 2.0, 40.0).unwrap(), holder: None };
-        let rule = Rule::Fixed(Posture { lead: 0.3, yaw: 0.0 });
-        let (finish, fields, stage) =
-            (Finish { scallop: 0.01, chord: 0.001 }, (Field::V, Field::U), Stage::silent());
-        let family = Family::new(&face, &tool, &rule, finish, fields, Order::Zig, &stage).unwrap();
+        let stage = Stage::silent();
+        let family = family(flat([0.0, 20.0], [0.0, 40.0]), &leaning(0.3, 0.0), (Field::V, Field::U));
         let line = |level: f64| family.candidate(level, 0, Detail::Full, &stage).unwrap();
         let strip = line(10.0).probes[0][3].depth().unwrap();
         for passes in 0..8_u32 {

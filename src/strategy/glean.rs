@@ -306,12 +306,9 @@ fn to_way(a: DVec3, b: DVec3, p: DVec3) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cutter::{Cutter, Tool};
     use crate::geometry::{Face, Field, NurbsSurface, Side};
-    use crate::posture::Rule;
-    use crate::strategy::{Finish, Order, walk};
-    use crate::toolpath::Posture;
-    use std::sync::Arc;
+    use crate::strategy::trial::{family, leaning};
+    use crate::strategy::walk;
 
     /// A flat face, so many mm long and wide, and the radius of the round edge, a quarter, that it ends in.
     const FLAT: f64 = 12.0;
@@ -334,18 +331,15 @@ mod tests {
             profile.iter().flat_map(|&(x, z, _)| [0.0, WIDE].map(|y| DVec3::new(x, y, z))).collect();
         let weights: Vec<f64> = profile.iter().flat_map(|&(.., weight)| [weight; 2]).collect();
         let surface = NurbsSurface::new([2, 1], knots, &points, Some(&weights)).unwrap();
-        Face { surface: Arc::new(surface), side: Side::Front }
+        Face::new(surface, Side::Front)
     }
 
     /// Two passes along a round edge leave a ridge between them that is a fiftieth of a strip wide where it is too high: it is looked at
     /// wherever between the nodes of a grid it lies.
     #[test]
     fn the_ridge_on_a_round_edge_is_looked_at() {
-        let (face, stage) = (rolled(), Stage::silent());
-        let tool = Tool { cutter: Cutter::bull_nose(10.0, 2.0, 40.0).unwrap(), holder: None };
-        let rule = Rule::Fixed(Posture { lead: 0.3, yaw: 0.0 });
-        let (finish, fields) = (Finish { scallop: 0.01, chord: 0.001 }, (Field::U, Field::V));
-        let family = Family::new(&face, &tool, &rule, finish, fields, Order::Zig, &stage).unwrap();
+        let stage = Stage::silent();
+        let family = family(rolled(), &leaning(0.3, 0.0), (Field::U, Field::V));
         let between = |middle: f64, apart: f64| {
             let lines = [-0.5, 0.5].map(|k| family.lines_of(middle + k * apart, false));
             let passes: Vec<_> =

@@ -288,27 +288,17 @@ impl Part {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cutter::Tool;
     use crate::geometry::{Cylinder, Face, Field, Side};
     use crate::math::frame::Frame;
-    use crate::monitor::Stage;
-    use crate::posture::Rule;
-    use crate::strategy::family::Family;
-    use crate::strategy::{Finish, Order, walk};
-    use crate::toolpath::Posture;
-    use std::sync::Arc;
+    use crate::strategy::trial::{family, leaning};
+    use crate::strategy::walk;
 
     /// Asked for at once, places near one another are cut by the moves that cut each, whether those are near or far.
     #[test]
     fn near_moves_are_all_that_cut() {
         let frame = Frame { f: DVec3::X, b: DVec3::Y, n: DVec3::Z };
         let tube = Cylinder::new(DVec3::ZERO, frame, 6.0, [0.0, 1.5], [0.0, 8.0]).unwrap();
-        let face = Face { surface: Arc::new(tube), side: Side::Front };
-        let tool = Tool { cutter: Cutter::bull_nose(10.0, 2.0, 40.0).unwrap(), holder: None };
-        let rule = Rule::Fixed(Posture { lead: 0.1, yaw: 0.0 });
-        let (finish, stage) = (Finish { scallop: 0.01, chord: 0.001 }, Stage::silent());
-        let fields = (Field::U, Field::V);
-        let family = Family::new(&face, &tool, &rule, finish, fields, Order::Zig, &stage).unwrap();
+        let family = family(Face::new(tube, Side::Front), &leaning(0.1, 0.0), (Field::U, Field::V));
         let lines = (0..30).flat_map(|k| family.lines_of(0.05 * f64::from(k) + 0.02, false));
         let passes: Vec<Pass> = lines.flat_map(|line| walk::passes(&family.setup, &line, false)).collect();
         let moves = Moves::new(&family.setup, passes.iter());
@@ -317,7 +307,7 @@ mod tests {
         for group in 0..40_usize {
             let place = |i: usize| {
                 let uv = Uv::new(0.1 + 0.03 * group as f64 + 0.01 * i as f64, 1.0 + 0.15 * group as f64);
-                let (jet, normal) = face.at(uv).unwrap();
+                let (jet, normal) = family.setup.face.at(uv).unwrap();
                 (jet.p, jet.p + normal * 0.01)
             };
             let places: Vec<_> = (0..4).map(place).collect();

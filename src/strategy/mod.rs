@@ -43,6 +43,8 @@ mod shorten;
 mod spacing;
 #[cfg(feature = "flow")]
 mod streamlines;
+#[cfg(test)]
+mod trial;
 mod trim;
 mod unreached;
 mod walk;

@@ -315,13 +315,9 @@ fn last_that(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cutter::{Cutter, Tool};
     use crate::geometry::{Face, NurbsSurface, Side};
-    use crate::posture::Rule;
-    use crate::strategy::{Finish, Order};
-    use crate::toolpath::Posture;
+    use crate::strategy::trial::{family, leaning};
     use glam::DVec3;
-    use std::sync::Arc;
 
     /// Along the handle of a paddle one strip runs over both borders: that tells nothing of the step across its blade.
     #[test]
@@ -333,13 +329,9 @@ mod tests {
             .flat_map(|(x, width)| [DVec3::new(x, 0.0, 0.0), DVec3::new(x, width, 0.0)])
             .collect();
         let paddle = NurbsSurface::new([1, 1], knots, &points, None).unwrap();
-        let face = Face { surface: Arc::new(paddle), side: Side::Front };
-        let tool = Tool { cutter: Cutter::bull_nose(10.0, 2.0, 40.0).unwrap(), holder: None };
-        let rule = Rule::Fixed(Posture { lead: 0.3, yaw: 0.0 });
-        let (finish, fields, stage) =
-            (Finish { scallop: 0.01, chord: 0.001 }, (Field::V, Field::U), Stage::silent());
-        let family = Family::new(&face, &tool, &rule, finish, fields, Order::Zig, &stage).unwrap();
-        let placed = family.place(&stage).unwrap();
+        let face = Face::new(paddle, Side::Front);
+        let family = family(face, &leaning(0.3, 0.0), (Field::V, Field::U));
+        let placed = family.place(&Stage::silent()).unwrap();
         let steps: Vec<f64> = placed.windows(2).map(|w| w[1].level - w[0].level).collect();
         let strip = family.setup.strip / blade;
         assert!(steps.iter().all(|step| *step < 4.5 * strip), "{steps:?} {strip}");

@@ -122,89 +122,80 @@ impl Trim<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cutter::{Cutter, Tool};
-    use crate::geometry::{Face, Field, Plane, Range, Side as Facing, Uv};
-    use crate::math::frame::Frame;
-    use crate::posture::Rule;
-    use crate::strategy::family::{Detail, Family};
-    use crate::strategy::{Finish, Order, walk};
-    use crate::toolpath::{Pass, Posture};
-    use std::sync::Arc;
+    use crate::geometry::{Field, Uv};
+    use crate::strategy::family::Detail;
+    use crate::strategy::trial::{FINISH, family, flat, leaning};
+    use crate::strategy::walk;
+    use crate::toolpath::Pass;
 
-    const SCALLOP: f64 = 0.01;
-    /// Half the width of the face.
+    /// How far the face reaches to either side, mm.
     const HALF: f64 = 8.0;
+    const WHOLE: [f64; 2] = [-HALF, HALF];
+
+    /// The most that `passes` leave about a place, in limits.
+    fn peak(trim: &Trim, passes: &[Pass], about: Uv) -> f64 {
+        let moves = Moves::new(&trim.family.setup, passes.iter());
+        let mut highest = (0.0, about);
+        for step in [0.04, 0.006, 0.001] {
+            let (_, Uv { u, v }) = highest;
+            for (i, j) in (-12..=12).flat_map(|j| (-12..=12).map(move |i| (i, j))) {
+                let uv = Uv::new(u + step * f64::from(i), v + step * f64::from(j));
+                let height = moves.height(uv, 2.0 * FINISH.scallop, 1e-4 * FINISH.scallop);
+                let share = height.map_or(2.0, |height| height / FINISH.scallop);
+                if share > highest.0 {
+                    highest = (share, uv);
+                }
+            }
+        }
+        highest.0
+    }
 
     /// Beside a whole pass two others were cut back to where more than the limit is left on a spot that is a hundredth of a strip wide:
     /// it is cut again, wherever it lies between the places that are asked.
     #[test]
     fn points_between_three_strips_are_cut_again() {
-        let frame = Frame { f: DVec3::X, b: DVec3::Y, n: DVec3::Z };
-        let (u, v) = (Range::open(-HALF, HALF), Range::open(0.0, 2.3));
-        let plane = Plane { origin: DVec3::ZERO, frame, u, v };
-        let face = Face { surface: Arc::new(plane), side: Facing::Front };
-        let tool = Tool { cutter: Cutter::bull_nose(10.0, 2.0, 40.0).unwrap(), holder: None };
-        let (rule, stage) = (Rule::Fixed(Posture { lead: 0.1, yaw: 0.3 }), Stage::silent());
-        let finish = Finish { scallop: SCALLOP, chord: 0.001 };
-        let family =
-            Family::new(&face, &tool, &rule, finish, (Field::V, Field::U), Order::Zig, &stage).unwrap();
-        let setup = &family.setup;
-        let middle = Uv::new(0.0, 1.0);
-        let width = setup.width(middle, false, &setup.station(middle, false).unwrap()).unwrap();
-        let pass = |level: f64, [from, to]: [f64; 2]| -> Vec<Pass> {
+        let stage = Stage::silent();
+        let family = family(flat(WHOLE, [0.0, 2.3]), &leaning(0.1, 0.3), (Field::V, Field::U));
+        let station = family.setup.station(Uv::new(0.0, 1.0), false).unwrap();
+        let width = family.setup.width(Uv::new(0.0, 1.0), false, &station).unwrap();
+        let pass = |level: f64, [from, to]: [f64; 2]| {
             let mut line = family.candidate(level * width, 0, Detail::Full, &stage).unwrap().lines.remove(0);
             line.nodes.retain(|uv| (from..=to).contains(&uv.u));
-            walk::passes(setup, &line, false)
+            walk::passes(&family.setup, &line, false)
         };
-        let whole = [-HALF, HALF];
-        let passes = [pass(0.45, whole), pass(1.44, [-HALF, 3.0]), pass(1.44, [-3.0, HALF])];
-        // Cut back so that they end at these places.
+        let passes = [pass(0.45, WHOLE), pass(1.44, [-HALF, 3.0]), pass(1.44, [-3.0, HALF])];
+        // Cut back so that the second ends and the last begins at these places.
         let cut_back = |ends: [f64; 2]| {
             let mut trim = Trim::new(&family, &passes);
             for k in trim.runs[1].start..trim.left.len() {
                 let [a, b] = trim.moves.all()[k].ends;
                 let (from, to) = (a.cc.point.x, b.cc.point.x);
-                let is_first = k < trim.runs[1].end;
-                let share = (ends[usize::from(!is_first)] - from) / (to - from);
+                let ends_there = k < trim.runs[1].end;
+                let share = (ends[usize::from(!ends_there)] - from) / (to - from);
                 let at = between(&a, &b, share.clamp(0.0, 1.0));
-                let kept = if is_first { [a, at] } else { [at, b] };
-                let is_some = if is_first { share > 0.0 } else { share < 1.0 };
-                trim.left[k] = is_some.then(|| trim.moves.part(kept));
+                let (kept, is_left) =
+                    if ends_there { ([a, at], share > 0.0) } else { ([at, b], share < 1.0) };
+                trim.left[k] = is_left.then(|| trim.moves.part(kept));
             }
             trim
         };
-        // The most that is left about a place, in limits.
-        let peak = |trim: &Trim, at: f64| {
-            let passes: Vec<Pass> = (0..trim.runs.len()).filter_map(|k| trim.pass(k)).collect();
-            let moves = Moves::new(setup, passes.iter());
-            let mut highest = (0.0, Uv::new(at, width));
-            for step in [0.04, 0.006, 0.001] {
-                let (_, Uv { u, v }) = highest;
-                for (i, j) in (-12..=12).flat_map(|j| (-12..=12).map(move |i| (i, j))) {
-                    let uv = Uv::new(u + step * f64::from(i), v + step * f64::from(j));
-                    let height = moves.height(uv, 2.0 * SCALLOP, 1e-4 * SCALLOP);
-                    let share = height.map_or(2.0, |height| height / SCALLOP);
-                    if share > highest.0 {
-                        highest = (share, uv);
-                    }
-                }
-            }
-            highest.0
+        let share = |trim: &Trim, [end, begin]: [f64; 2]| {
+            let passes: Vec<Pass> = (0..3).filter_map(|k| trim.pass(k)).collect();
+            peak(trim, &passes, Uv::new(0.5 * (end + begin), width))
         };
         for k in 0..10 {
-            let at = 0.013 * f64::from(k) - 0.05;
+            let end = 0.013 * f64::from(k) - 0.05;
             let (mut near, mut far) = (0.0, 1.0);
             for _ in 0..12 {
-                let apart = 0.5 * (near + far);
-                let is_high = peak(&cut_back([at, at + apart]), at + 0.5 * apart) > 1.02;
-                *(if is_high { &mut far } else { &mut near }) = apart;
+                let ends = [end, end + 0.5 * (near + far)];
+                *(if share(&cut_back(ends), ends) > 1.02 { &mut far } else { &mut near }) = ends[1] - end;
             }
-            let mut trim = cut_back([at, at + far]);
-            assert!(peak(&trim, at + 0.5 * far) > 1.019);
+            let ends = [end, end + far];
+            let mut trim = cut_back(ends);
+            assert!(share(&trim, ends) > 1.019);
             let lost = trim.lost(&stage).unwrap();
             trim.give_back(&lost, &stage).unwrap();
-            let after = peak(&trim, at + 0.5 * far);
-            assert!(after <= 1.0, "{at}: {after}");
+            assert!(share(&trim, ends) <= 1.0, "{end}");
         }
     }
 }
