@@ -122,7 +122,6 @@ pub(super) fn followed(
     }
     let edges = places::edges(parts.iter().flat_map(|part| &part.tracks));
     let ridges = places::ridges(&edges);
-    let sought = Sought { limit: setup.finish.scallop, finely: false };
     let first = &parts[0].family;
     let (mut is_whole, mut is_trimmed) = (false, false);
     // Gleanings since passes were last cut back.
@@ -134,6 +133,7 @@ pub(super) fn followed(
         let part = |name, from, to| stage.part(name, at(from), at(to));
         let own_share = |from, to, k| share(FILL, at(from), at(to), k);
         let moves = Moves::new(setup, passes.iter().flatten());
+        let sought = Sought { limit: setup.finish.scallop, finely: is_trimmed };
         let looks = match last.take() {
             Some(left) => left,
             None => first.looks(&moves, (others, &ridges), sought, &part(FILL, 0.0, 0.2))?,

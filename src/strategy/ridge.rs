@@ -6,6 +6,7 @@ use super::places::Patch;
 use super::probe::Setup;
 use crate::geometry::Uv;
 use crate::math::bvh::Aabb;
+use glam::DVec2;
 
 /// Up to how much heights are told, in limits.
 const MOST: f64 = 1.05;
@@ -13,6 +14,8 @@ const MOST: f64 = 1.05;
 const FINE: f64 = 1e-3;
 /// How far from the middle of a patch its slopes are taken, in sides of it.
 const BESIDE: f64 = 0.125;
+/// How far beyond its top, and beside that, those of the flank behind it.
+const BEYOND: f64 = 0.06;
 /// Flanks that would come to less than this share of what is looked for, were they as straight as roots of heights nearly are, are
 /// not climbed.
 const SURELY: f64 = 0.95;
@@ -45,39 +48,119 @@ impl<'m> Cusps<'m> {
         self.near.height(uv, MOST * self.limit, fine * self.limit) / self.limit
     }
 
-    /// The highest place in `part` of the patch straight up the slope from its middle, if more than `most` limits are left there, as far as
-    /// that is told.
+    /// The highest place in `part` of the patch that is met straight up the slope from its middle and then along the ridge there, if more
+    /// than `most` limits are left at it, as far as that is told.
     pub(super) fn ridge(&self, part: &Patch, most: f64) -> Option<Uv> {
-        let share = |[u, v]: [f64; 2]| self.share(part.at(u, v), FINE) / most;
-        // Up a flank it is nearly straight.
-        let here = share([0.5; 2]).sqrt();
-        let rise = [[0.5 + BESIDE, 0.5], [0.5, 0.5 + BESIDE]].map(|at| (share(at).sqrt() - here) / BESIDE);
-        let steep = libm::hypot(rise[0], rise[1]);
-        let way = rise.map(|rise| rise / steep);
-        // As far as the part reaches.
-        let end = 0.5 / way[0].abs().max(way[1].abs());
-        if !end.is_finite() || here + steep * end < SURELY.sqrt() {
-            return None;
+        // Up a flank these are nearly straight.
+        let root = |at: DVec2| (self.share(part.at(at.x, at.y), FINE) / most).sqrt();
+        // How it rises at a place and beside it, by so much of a side.
+        let rise = |at: DVec2, here: f64, beside: DVec2| {
+            DVec2::new(
+                (root(at + DVec2::new(beside.x, 0.0)) - here) / beside.x,
+                (root(at + DVec2::new(0.0, beside.y)) - here) / beside.y,
+            )
+        };
+        let middle = DVec2::splat(0.5);
+        let here = root(middle);
+        let flank = rise(middle, here, DVec2::splat(BESIDE));
+        let way = flank.try_normalize()?;
+        let (top, height) = highest(&root, (middle, here), flank.dot(way), way)?;
+        if height > 1.0 {
+            return Some(part.at(top.x, top.y));
         }
-        let at = |t: f64| way.map(|way| 0.5 + t * way);
-        let inner = |low: f64, high: f64| [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
-        let told = |t: f64| (t, share(at(t)));
-        let (mut low, mut high) = (0.0, end);
-        let [mut one, mut two] = inner(low, high).map(told);
-        for _ in 0..PLACES {
-            if steep * (high - low) < CLOSE {
-                break;
-            }
-            if one.1 > two.1 {
-                (high, two) = (two.0, one);
-                one = told(inner(low, high)[0]);
-            } else {
-                (low, one) = (one.0, two);
-                two = told(inner(low, high)[1]);
-            }
+        // The other flank, which falls off from there: neither rises faster along their ridge than the other.
+        let beyond = top + way * BEYOND;
+        let beside = BEYOND * DVec2::new(1f64.copysign(way.x), 1f64.copysign(way.y));
+        let other = rise(beyond, root(beyond), beside);
+        let along = (flank - other).perp().try_normalize()?;
+        let along = along * flank.dot(along).signum();
+        let (top, height) = highest(&root, (top, height), flank.dot(along), along)?;
+        (height > 1.0).then(|| part.at(top.x, top.y))
+    }
+}
+
+/// The place in a part, and the root of what is left there, where most is left on the `way` from another to the border; `None` where
+/// it surely is not enough, if it rises as `steep`ly as at first.
+fn highest(
+    root: &dyn Fn(DVec2) -> f64,
+    (from, here): (DVec2, f64),
+    steep: f64,
+    way: DVec2,
+) -> Option<(DVec2, f64)> {
+    // As far as the part reaches.
+    let reach = |from: f64, way: f64| if way > 0.0 { (1.0 - from) / way } else { from / -way };
+    let end = [(from.x, way.x), (from.y, way.y)].into_iter().filter(|(_, way)| *way != 0.0);
+    let end = end.map(|(from, way)| reach(from, way)).fold(f64::INFINITY, f64::min);
+    if !end.is_finite() || here + steep * end < SURELY.sqrt() {
+        return None;
+    }
+    let inner = |low: f64, high: f64| [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
+    let told = |t: f64| (t, root(from + way * t));
+    let (mut low, mut high) = (0.0, end);
+    let [mut one, mut two] = inner(low, high).map(told);
+    for _ in 0..PLACES {
+        if steep * (high - low) < CLOSE {
+            break;
         }
-        let (highest, share) = if one.1 > two.1 { one } else { two };
-        let [u, v] = at(highest);
-        (share > 1.0).then(|| part.at(u, v))
+        if one.1 > two.1 {
+            (high, two) = (two.0, one);
+            one = told(inner(low, high)[0]);
+        } else {
+            (low, one) = (one.0, two);
+            two = told(inner(low, high)[1]);
+        }
+    }
+    let (at, height) = if one.1 > two.1 { one } else { two };
+    Some((from + way * at, height))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::cl_of;
+    use crate::geometry::Field;
+    use crate::math::angle::direction;
+    use crate::math::frame::Frame;
+    use crate::strategy::trial::{FINISH, family, flat, leaning};
+    use crate::toolpath::{CcPoint, Posture, Station, Work};
+    use glam::DVec3;
+    use std::f64::consts::FRAC_PI_3;
+
+    /// Three strips that lie round a place aslant leave most right there: it is met from the middle of whatever part it lies in,
+    /// though mostly not straight up a slope.
+    #[test]
+    fn points_between_three_strips_are_climbed_to() {
+        let family = family(flat([-10.0, 10.0], [-10.0, 10.0]), &leaning(0.2, 0.0), (Field::V, Field::U));
+        let (setup, limit) = (&family.setup, FINISH.scallop);
+        // Straight moves past a place in so many radians, so far from it.
+        let around = |place: DVec3, turned: f64, away: f64| {
+            let moves = (0..3).map(|k| {
+                let f = direction(turned + 2.0 * FRAC_PI_3 * f64::from(k)).extend(0.0);
+                let frame = Frame { f, b: DVec3::Z.cross(f), n: DVec3::Z };
+                let at = |along: f64| {
+                    let point = place + frame.b * away + f * along;
+                    let cc = CcPoint { point, frame, posture: Posture { lead: 0.2, yaw: 0.0 } };
+                    Station { cc, cl: cl_of(setup.cutter, &cc), work: Work::default() }
+                };
+                [at(-4.0), at(4.0)]
+            });
+            Moves::of(setup, moves.collect())
+        };
+        let (mut near, mut far) = (0.0, 2.0);
+        while far - near > 1e-6 {
+            let away = 0.5 * (near + far);
+            let left = around(DVec3::ZERO, 0.0, away).height(Uv::new(0.0, 0.0), 2.0 * limit, 1e-4 * limit);
+            *(if left.is_none_or(|left| left > 1.02 * limit) { &mut far } else { &mut near }) = away;
+        }
+        let [plain, _] = family.patches();
+        let patch = plain[plain.len() / 2];
+        let part = patch.parts(4).nth(5).unwrap();
+        for k in 0..40 {
+            let share = |times: f64| 0.1 + 0.8 * (f64::from(k) * times).fract();
+            let Uv { u, v } = part.at(share(0.618), share(0.382));
+            let moves = around(DVec3::new(u, v, 0.0), 0.07 * f64::from(k), far);
+            let cusps = Cusps::new(setup, &patch, &moves, limit).unwrap();
+            assert!(cusps.ridge(&part, 1.0).is_some(), "{k}");
+        }
     }
 }
