@@ -2,7 +2,7 @@
 //! cutter leans a little more, until strips just meet. What that leaves is nearer to the limit, and it costs no way.
 
 use super::follow::Part;
-use super::glean::{Look, Sought};
+use super::glean::Sought;
 use super::left::Moves;
 use super::probe::Setup;
 use super::walk::MOST_TURN;
@@ -61,9 +61,9 @@ pub(super) fn eased(
     let Some(limits) = setup.postures.limits() else { return Ok(planned) };
     let ridges = places::ridges(&places::edges(part.tracks.iter()));
     let limit = SHARE * setup.finish.scallop;
-    let looks = |moves: &Moves, finely: bool, stage: &Stage| -> Result<Vec<Look>, Cancelled> {
+    let looks = |moves: &Moves, finely: bool, stage: &Stage| -> Result<Vec<Uv>, Cancelled> {
         let mut looks = part.family.looks(moves, (others, &ridges), Sought { limit, finely }, stage)?;
-        looks.retain(|look| !planned.unreached.contains(setup.face.surface.point(look.uv)));
+        looks.retain(|uv| !planned.unreached.contains(setup.face.surface.point(*uv)));
         Ok(looks)
     };
     let mut ease = Ease::new(part, limits, &planned.passes, &stage.quiet())?;
@@ -78,7 +78,7 @@ pub(super) fn eased(
         // At first much is high wherever one looks.
         let finely = time > 0;
         let looks = looks(&moves, finely, &within(0.0, 0.4))?;
-        let mut high = ease.too_high(&moves, &looks, &within(0.4, 0.5))?;
+        let mut high = ease.too_high(&moves, &looks, limit, &within(0.4, 0.5))?;
         if finely && high.is_empty() {
             planned.passes = ease.passes(&stage.quiet())?;
             break;
@@ -174,12 +174,18 @@ impl<'a> Ease<'a> {
         Moves::of(self.setup, self.firsts.iter().map(ends).collect())
     }
 
-    /// Those of `looks` where `moves` leave too much: more than is asked for, or was left before.
-    fn too_high(&self, moves: &Moves, looks: &[Look], stage: &Stage) -> Result<Vec<High>, Cancelled> {
-        let high = |Look { uv, most }: Look| {
-            let whole = most / SHARE;
-            let most = if !self.before.leave(uv, most) {
-                most
+    /// Those of `looks` where `moves` leave too much: more than `limit` (mm), or was left before.
+    fn too_high(
+        &self,
+        moves: &Moves,
+        looks: &[Uv],
+        limit: f64,
+        stage: &Stage,
+    ) -> Result<Vec<High>, Cancelled> {
+        let whole = limit / SHARE;
+        let high = |uv: Uv| {
+            let most = if !self.before.leave(uv, limit) {
+                limit
             } else if !self.before.leave(uv, whole) {
                 whole
             } else {

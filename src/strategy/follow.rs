@@ -1,7 +1,7 @@
 //! From lines to passes: walked along, looked over for what they leave, and cut back at their ends.
 
 use super::family::{Candidate, Family};
-use super::glean::{Look, Sought};
+use super::glean::Sought;
 use super::left::Moves;
 use super::{Planned, StrategyError};
 use super::{places, trim, unreached, walk};
@@ -112,7 +112,7 @@ pub(super) fn followed(
         _ => parts.iter().position(|part| part.has(uv)).unwrap_or(0),
     };
     // What each part cannot reach.
-    let zone = |k: usize, blocked: &[Look], stage: &Stage| {
+    let zone = |k: usize, blocked: &[Uv], stage: &Stage| {
         let part = &parts[k];
         unreached::zone(&part.family.setup, &part.tracks, blocked, &|uv| owner(uv) == k, stage)
     };
@@ -127,26 +127,27 @@ pub(super) fn followed(
     // Gleanings since passes were last cut back.
     let mut gleanings = 0;
     // Passes that are added leave no more than there was: until some are cut back, only there can there be more.
-    let mut last: Option<Vec<Look>> = None;
+    let mut last: Option<Vec<Uv>> = None;
     for round in 0..=GLEANINGS {
         let at = |t: f64| 0.65 + 0.35 * (round as f64 + t) / (GLEANINGS + 1) as f64;
         let part = |name, from, to| stage.part(name, at(from), at(to));
         let own_share = |from, to, k| share(FILL, at(from), at(to), k);
         let moves = Moves::new(setup, passes.iter().flatten());
+        // Whatever stands too high was laid so or cut back to: at last all of it is looked for.
         let sought = Sought { limit: setup.finish.scallop, finely: is_trimmed };
         let looks = match last.take() {
             Some(left) => left,
             None => first.looks(&moves, (others, &ridges), sought, &part(FILL, 0.0, 0.2))?,
         };
-        let is_within = |look: &Look| {
-            let here = setup.face.surface.point(look.uv);
+        let is_within = |uv: &Uv| {
+            let here = setup.face.surface.point(*uv);
             !zones.iter().any(|zone| zone.contains(here))
         };
-        let looks: Vec<Look> = looks.into_iter().filter(is_within).collect();
+        let looks: Vec<Uv> = looks.into_iter().filter(is_within).collect();
         // By their parts, where the cutter can go and where it cannot.
-        let mut left: Vec<[Vec<Look>; 2]> = Vec::new();
+        let mut left: Vec<[Vec<Uv>; 2]> = Vec::new();
         for (k, Part { family, .. }) in parts.iter().enumerate() {
-            let own: Vec<Look> = looks.iter().filter(|look| owner(look.uv) == k).copied().collect();
+            let own: Vec<Uv> = looks.iter().copied().filter(|uv| owner(*uv) == k).collect();
             left.push(family.left(&own, &moves, &own_share(0.2, 0.4, k))?);
         }
         is_whole = left.iter().all(|[open, _]| open.is_empty());

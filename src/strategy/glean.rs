@@ -24,9 +24,6 @@ const COARSE: f64 = 0.02;
 /// share of that difference.
 const STEEP: f64 = 0.12;
 const RISE: f64 = 0.7;
-/// The share of the limit that the very ridges of cusps may reach, which strips that meet edge to edge leave at the limit: 1.00
-/// of it, as far as that is written.
-const ON_RIDGE: f64 = 1.0;
 /// Places nearer to each other than this belong together, in strips.
 const TOGETHER: f64 = 0.55;
 /// How far a short pass goes beyond what it is for, in strips.
@@ -40,14 +37,6 @@ const ASIDE: [f64; 7] = [0.0, 0.1, -0.1, 0.2, -0.2, 0.35, -0.35];
 const PASSED: f64 = 0.5;
 /// What each round takes of those distances.
 const NEARER: f64 = 0.5;
-
-/// A place where is looked for what passes leave.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Look {
-    pub(super) uv: Uv,
-    /// More than this must not be left there, mm.
-    pub(super) most: f64,
-}
 
 /// What is looked for.
 #[derive(Debug, Clone, Copy)]
@@ -67,11 +56,10 @@ impl Family<'_> {
         (others, ridges): (&[Uv], &[Uv]),
         sought: Sought,
         stage: &Stage,
-    ) -> Result<Vec<Look>, Cancelled> {
+    ) -> Result<Vec<Uv>, Cancelled> {
         let limit = sought.limit;
-        let at = |share: f64| move |uv: Uv| Look { uv, most: share * limit };
         let [plain, close] = self.patches();
-        let mut looks: Vec<Look> = plain.iter().chain(&close).map(|patch| at(1.0)(patch.low)).collect();
+        let mut looks: Vec<Uv> = plain.iter().chain(&close).map(|patch| patch.low).collect();
         let closely = Sought { limit, finely: true };
         looks.extend(self.high_looks(&close, moves, closely, &stage.share(0.0, 0.5))?);
         looks.extend(self.high_looks(&plain, moves, sought, &stage.share(0.5, 1.0))?);
@@ -80,9 +68,8 @@ impl Family<'_> {
         let is_high = stage.quiet().map(border.len(), |k| is_high(border[k]))?;
         let high = border.iter().zip(is_high).filter(|(_, is_high)| *is_high);
         let along = |&[a, b]: &[Uv; 2]| (0..=CLOSER[1]).map(move |k| between(a, b, k, CLOSER[1]));
-        looks.extend(high.flat_map(|(ends, _)| along(ends)).map(at(1.0)));
-        looks.extend(others.iter().copied().map(at(1.0)));
-        looks.extend(ridges.iter().copied().map(at(ON_RIDGE)));
+        looks.extend(high.flat_map(|(ends, _)| along(ends)));
+        looks.extend(others.iter().chain(ridges));
         Ok(looks)
     }
 
@@ -93,7 +80,7 @@ impl Family<'_> {
         moves: &Moves,
         Sought { limit, finely }: Sought,
         stage: &Stage,
-    ) -> Result<Vec<Look>, Cancelled> {
+    ) -> Result<Vec<Uv>, Cancelled> {
         let leaves = |uv: Uv, share: f64| moves.leave(uv, share * limit);
         let asked = |patch: &Patch| patch.corners().into_iter().chain([patch.middle()]);
         let looks = |k: usize| {
@@ -107,9 +94,9 @@ impl Family<'_> {
             for part in patches[k].parts(CLOSER[0]) {
                 let middle = part.middle();
                 if leaves(middle, 1.0) {
-                    looks.push(Look { uv: middle, most: limit });
+                    looks.push(middle);
                 } else if leaves(middle, NEARLY) {
-                    looks.extend(part.places(CLOSEST).map(|uv| Look { uv, most: ON_RIDGE * limit }));
+                    looks.extend(part.places(CLOSEST));
                 }
             }
             looks
@@ -118,21 +105,15 @@ impl Family<'_> {
     }
 
     /// The same in one of them, up to the ridges of cusps.
-    fn looks_in(&self, patch: &Patch, moves: &Moves, limit: f64) -> Vec<Look> {
+    fn looks_in(&self, patch: &Patch, moves: &Moves, limit: f64) -> Vec<Uv> {
         let Some(cusps) = Cusps::new(&self.setup, patch, moves, limit) else { return Vec::new() };
         let root = |uv: Uv| (uv, cusps.share(uv, COARSE).sqrt());
         let nodes: Vec<(Uv, f64)> = patch.nodes(CLOSER[0]).map(root).collect();
-        let mut looks = Vec::new();
-        let mut look = |uv: Uv, share: f64| looks.push(Look { uv, most: share * limit });
-        for &(uv, root) in &nodes {
-            if root > 1.0 {
-                look(uv, ON_RIDGE);
-            }
-        }
+        let mut looks: Vec<Uv> = nodes.iter().filter(|(_, root)| *root > 1.0).map(|(uv, _)| *uv).collect();
         for (k, part) in patch.parts(CLOSER[0]).enumerate() {
             let (uv, middle) = root(part.middle());
             if middle > 1.0 {
-                look(uv, 1.0);
+                looks.push(uv);
             }
             // Corners may lie on either side of a cusp.
             let first = k + k / CLOSER[0];
@@ -143,29 +124,25 @@ impl Family<'_> {
             let may_rise_to =
                 if high - low > STEEP { high + RISE * (high - low) } else { high * high / NEARLY };
             if may_rise_to > 1.0
-                && let Some(uv) = cusps.ridge(&part, ON_RIDGE)
+                && let Some(uv) = cusps.ridge(&part)
             {
-                look(uv, ON_RIDGE);
+                looks.push(uv);
             }
         }
         looks
     }
 
-    /// Those of `looks` where `moves` leave more than they should: where the cutter can go, and where it cannot.
-    pub(super) fn left(
-        &self,
-        looks: &[Look],
-        moves: &Moves,
-        stage: &Stage,
-    ) -> Result<[Vec<Look>; 2], Cancelled> {
+    /// Those of `looks` where `moves` leave more than the limit: where the cutter can go, and where it cannot.
+    pub(super) fn left(&self, looks: &[Uv], moves: &Moves, stage: &Stage) -> Result<[Vec<Uv>; 2], Cancelled> {
+        let limit = self.setup.finish.scallop;
         // A posture that is chosen may need a little more lead just here, which its pass then takes.
         let is_chosen = !self.setup.postures.is_fixed();
         let is_blocked = |uv: Uv| !is_chosen && self.setup.probe(uv, false) == Probe::Blocked;
-        let is_left = |Look { uv, most }: Look| moves.leave(uv, most).then(|| is_blocked(uv));
+        let is_left = |uv: Uv| moves.leave(uv, limit).then(|| is_blocked(uv));
         let told = stage.map(looks.len(), |k| is_left(looks[k]))?;
         let of = |blocked: bool| {
             let found = looks.iter().zip(&told).filter(|(_, told)| **told == Some(blocked));
-            found.map(|(&look, _)| look).collect()
+            found.map(|(&uv, _)| uv).collect()
         };
         Ok([of(false), of(true)])
     }
@@ -174,7 +151,7 @@ impl Family<'_> {
     /// was passed too far off, and lines go nearer.
     pub(super) fn short_lines(
         &self,
-        left: &[Look],
+        left: &[Uv],
         gleanings: usize,
         stage: &Stage,
     ) -> Result<Vec<Candidate>, Cancelled> {
@@ -187,9 +164,9 @@ impl Family<'_> {
     }
 
     /// The places in groups, with their points: those that are so near (mm) to one another hang together.
-    fn spots(&self, left: &[Look], near: f64) -> Vec<Vec<(Uv, DVec3)>> {
+    fn spots(&self, left: &[Uv], near: f64) -> Vec<Vec<(Uv, DVec3)>> {
         let places: Vec<(Uv, DVec3)> =
-            left.iter().map(|look| (look.uv, self.setup.face.surface.point(look.uv))).collect();
+            left.iter().map(|&uv| (uv, self.setup.face.surface.point(uv))).collect();
         // Only what lies so near along an axis can, least of all along the one on which they are spread most.
         let (low, high) = places
             .iter()
@@ -370,9 +347,8 @@ mod tests {
             let looks =
                 family.looks(&moves, (&[], &[]), Sought { limit: 0.01, finely: false }, &stage).unwrap();
             let [open, _] = family.left(&looks, &moves, &stage).unwrap();
-            let is_ridge =
-                |look: &&Look| (look.uv.u - middle).abs() < 0.02 && look.uv.v > 0.2 && look.uv.v < 0.8;
-            assert!(open.iter().any(|look| is_ridge(&look)), "{middle}");
+            let is_ridge = |uv: &&Uv| (uv.u - middle).abs() < 0.02 && uv.v > 0.2 && uv.v < 0.8;
+            assert!(open.iter().any(|uv| is_ridge(&uv)), "{middle}");
         }
     }
 }

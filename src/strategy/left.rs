@@ -85,7 +85,7 @@ impl<'a> Moves<'a> {
     }
 
     /// How much is left at `uv`, mm along the normal, to a `fine`ness in mm and rather more; `None` where it is as much as `most` (mm).
-    #[cfg(feature = "flow")]
+    #[cfg(any(test, feature = "flow"))]
     pub(super) fn height(&self, uv: Uv, most: f64, fine: f64) -> Option<f64> {
         let (point, _) = self.place(uv, most)?;
         let left = self.around((point, most)).height(uv, most, fine);

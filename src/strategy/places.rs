@@ -142,17 +142,18 @@ impl Family<'_> {
     }
 
     /// Places so many `times` closer together than those, about each of them that `is_picked`, and once more about each of these that
-    /// `is_nearly`.
+    /// `is_picked_again`.
     pub(super) fn places_about(
         &self,
         cell: (usize, usize),
         [parts, border]: [usize; 2],
         times: usize,
-        [is_picked, is_nearly]: [&dyn Fn(Uv) -> bool; 2],
+        [is_picked, is_picked_again]: [&dyn Fn(Uv) -> bool; 2],
     ) -> Vec<Uv> {
         let parts = Patch::cell(self.lines.grid(), cell.0, cell.1).parts(parts);
         let closer = parts.filter(|part| is_picked(part.middle())).flat_map(|part| part.parts(times));
-        let inside = closer.flat_map(|part| part.places(if is_nearly(part.middle()) { times } else { 1 }));
+        let inside =
+            closer.flat_map(|part| part.places(if is_picked_again(part.middle()) { times } else { 1 }));
         let pieces = self.pieces_of_border(cell, border).filter(|ends| ends.iter().any(|uv| is_picked(*uv)));
         let beside = pieces.flat_map(|[a, b]| (0..=times).map(move |k| between(a, b, k, times)));
         inside.chain(beside).collect()

@@ -14,8 +14,10 @@ const MOST: f64 = 1.05;
 const FINE: f64 = 1e-3;
 /// How far from the middle of a patch its slopes are taken, in sides of it.
 const BESIDE: f64 = 0.125;
-/// How far beyond its top, and beside that, those of the flank behind it.
-const BEYOND: f64 = 0.06;
+/// How far from a ridge, and from there, those of its flanks.
+const CLEAR: f64 = 0.06;
+/// Where they differ by less than this share of the first slope, the part's border was met before the ridge.
+const BENT: f64 = 0.25;
 /// Flanks that would come to less than this share of what is looked for, were they as straight as roots of heights nearly are, are
 /// not climbed.
 const SURELY: f64 = 0.95;
@@ -49,11 +51,11 @@ impl<'m> Cusps<'m> {
     }
 
     /// The highest place in `part` of the patch that is met straight up the slope from its middle and then along the ridge there, if more
-    /// than `most` limits are left at it, as far as that is told.
-    pub(super) fn ridge(&self, part: &Patch, most: f64) -> Option<Uv> {
+    /// than the limit is left at it, as far as that is told.
+    pub(super) fn ridge(&self, part: &Patch) -> Option<Uv> {
         // Up a flank these are nearly straight.
-        let root = |at: DVec2| (self.share(part.at(at.x, at.y), FINE) / most).sqrt();
-        // How it rises at a place and beside it, by so much of a side.
+        let root = |at: DVec2| self.share(part.at(at.x, at.y), FINE).sqrt();
+        // How they rise at a place, told by what is so much of a side beside it.
         let rise = |at: DVec2, here: f64, beside: DVec2| {
             DVec2::new(
                 (root(at + DVec2::new(beside.x, 0.0)) - here) / beside.x,
@@ -62,16 +64,23 @@ impl<'m> Cusps<'m> {
         };
         let middle = DVec2::splat(0.5);
         let here = root(middle);
-        let flank = rise(middle, here, DVec2::splat(BESIDE));
-        let way = flank.try_normalize()?;
-        let (top, height) = highest(&root, (middle, here), flank.dot(way), way)?;
+        let slope = rise(middle, here, DVec2::splat(BESIDE));
+        let way = slope.try_normalize()?;
+        let steep = slope.dot(way);
+        let (top, height) = highest(&root, (middle, here), steep, way)?;
         if height > 1.0 {
             return Some(part.at(top.x, top.y));
         }
-        // The other flank, which falls off from there: neither rises faster along their ridge than the other.
-        let beyond = top + way * BEYOND;
-        let beside = BEYOND * DVec2::new(1f64.copysign(way.x), 1f64.copysign(way.y));
-        let other = rise(beyond, root(beyond), beside);
+        // The flanks to either side, away from the ridge; near the middle there may have been another. Along the ridge neither rises faster
+        // than the other.
+        let [flank, other] = [-CLEAR, CLEAR].map(|off| {
+            let (at, beside) =
+                (top + way * off, off * DVec2::new(1f64.copysign(way.x), 1f64.copysign(way.y)));
+            rise(at, root(at), beside)
+        });
+        if (flank - other).dot(way) < BENT * steep {
+            return None;
+        }
         let along = (flank - other).perp().try_normalize()?;
         let along = along * flank.dot(along).signum();
         let (top, height) = highest(&root, (top, height), flank.dot(along), along)?;
@@ -126,8 +135,8 @@ mod tests {
     use glam::DVec3;
     use std::f64::consts::FRAC_PI_3;
 
-    /// Three strips that lie round a place aslant leave most right there: it is met from the middle of whatever part it lies in,
-    /// though mostly not straight up a slope.
+    /// Three strips that lie round a place aslant leave most right there: it is met from the middle of whatever part it lies in in 97 of
+    /// 100 cases, though in two of three not straight up a slope.
     #[test]
     fn points_between_three_strips_are_climbed_to() {
         let family = family(flat([-10.0, 10.0], [-10.0, 10.0]), &leaning(0.2, 0.0), (Field::V, Field::U));
@@ -155,12 +164,17 @@ mod tests {
         let [plain, _] = family.patches();
         let patch = plain[plain.len() / 2];
         let part = patch.parts(4).nth(5).unwrap();
-        for k in 0..40 {
+        let mut missed = 0;
+        for k in 0..400 {
             let share = |times: f64| 0.1 + 0.8 * (f64::from(k) * times).fract();
-            let Uv { u, v } = part.at(share(0.618), share(0.382));
+            let Uv { u, v } = part.at(share(0.7549), share(0.5698));
             let moves = around(DVec3::new(u, v, 0.0), 0.07 * f64::from(k), far);
             let cusps = Cusps::new(setup, &patch, &moves, limit).unwrap();
-            assert!(cusps.ridge(&part, 1.0).is_some(), "{k}");
+            match cusps.ridge(&part) {
+                Some(found) => assert!(cusps.share(found, 1e-4) > 1.0 - 2.0 * FINE, "{k}"),
+                None => missed += 1,
+            }
         }
+        assert!(missed <= 12, "{missed}");
     }
 }

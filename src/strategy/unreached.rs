@@ -1,7 +1,6 @@
 //! Where the cutter cannot go, mapped outwards from where the lines of a family found it so.
 
 use super::family::Candidate;
-use super::glean::Look;
 use super::probe::{Probe, Setup};
 use crate::geometry::{FaceGrid, Uv, Zone};
 use crate::monitor::{Cancelled, Stage};
@@ -20,7 +19,7 @@ const MOST: usize = 400;
 pub(super) fn zone(
     setup: &Setup,
     tracks: &[Candidate],
-    others: &[Look],
+    others: &[Uv],
     owns: &(dyn Fn(Uv) -> bool + Sync),
     stage: &Stage,
 ) -> Result<Zone, Cancelled> {
@@ -32,8 +31,7 @@ pub(super) fn zone(
         .flat_map(|(line, probes)| line.nodes.iter().zip(probes))
         .filter(|(_, probe)| **probe == Probe::Blocked)
         .map(|(&uv, _)| uv);
-    let seeds_at =
-        blocked.chain(others.iter().map(|look| look.uv)).map(|uv| map.grid.cell_at(domain.hold(uv)));
+    let seeds_at = blocked.chain(others.iter().copied()).map(|uv| map.grid.cell_at(domain.hold(uv)));
     // Extended and not collected: that would bring a sort of its own into the page's module.
     let mut seeds = BTreeSet::new();
     seeds.extend(seeds_at);

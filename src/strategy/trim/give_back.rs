@@ -12,8 +12,9 @@ use glam::DVec3;
 /// About places where more than this share of the limit is left others are looked at, so many times closer together.
 const MUCH: f64 = 0.4;
 const CLOSER: usize = 4;
-/// And once more about those of them where more than this is left: points between three strips are as fine.
-const NEARLY: f64 = 0.93;
+/// And once more about those of them where more than this is left: points between three strips are as fine, and a strip's end is steeper
+/// than its sides.
+const NEARLY: f64 = 0.88;
 /// Where what was taken away cuts no lower than this share of the limit, it cuts nothing within it beside.
 const AT_MOST: f64 = 2.0;
 
@@ -42,11 +43,11 @@ impl Trim<'_> {
         let cells = self.cells_near(&boxes);
         let was_cut = |place: &Place| gone.cut(self.asked(place), self.wide, |k| gone.all().get(k));
         let is_left = |uv, share| self.place(uv, share).is_some_and(|place| !self.cut(&place));
-        let is_near = |uv| self.place(uv, AT_MOST).is_some_and(|place| was_cut(&place));
-        let is_high = |uv| is_near(uv) && is_left(uv, MUCH);
-        let is_nearly = |uv| is_left(uv, NEARLY) && is_near(uv);
+        let was_cut_at = |uv| self.place(uv, AT_MOST).is_some_and(|place| was_cut(&place));
+        let is_high = |uv| was_cut_at(uv) && is_left(uv, MUCH);
+        let is_nearly_left = |uv| was_cut_at(uv) && is_left(uv, NEARLY);
         let lost_in = |k: usize| -> Vec<Place> {
-            let places = self.family.places_about(cells[k], PARTS, CLOSER, [&is_high, &is_nearly]);
+            let places = self.family.places_about(cells[k], PARTS, CLOSER, [&is_high, &is_nearly_left]);
             let places = places.into_iter().filter_map(|uv| self.place(uv, 1.0));
             places.filter(|place| was_cut(place) && !self.cut(place)).collect()
         };
@@ -163,10 +164,9 @@ mod tests {
             line.nodes.retain(|uv| (from..=to).contains(&uv.u));
             walk::passes(&family.setup, &line, false)
         };
-        let passes = [pass(0.45, WHOLE), pass(1.44, [-HALF, 3.0]), pass(1.44, [-3.0, HALF])];
         // Cut back so that the second ends and the last begins at these places.
-        let cut_back = |ends: [f64; 2]| {
-            let mut trim = Trim::new(&family, &passes);
+        let cut_back = |passes: &[Vec<Pass>], ends: [f64; 2]| {
+            let mut trim = Trim::new(&family, passes);
             for k in trim.runs[1].start..trim.left.len() {
                 let [a, b] = trim.moves.all()[k].ends;
                 let (from, to) = (a.cc.point.x, b.cc.point.x);
@@ -183,8 +183,15 @@ mod tests {
             let passes: Vec<Pass> = (0..3).filter_map(|k| trim.pass(k)).collect();
             peak(trim, &passes, Uv::new(0.5 * (end + begin), width))
         };
-        for k in 0..10 {
-            let end = 0.013 * f64::from(k) - 0.05;
+        for k in 0..20 {
+            let end = 0.3 * (0.7549 * f64::from(k)).fract();
+            let shift = 0.15 * (0.5698 * f64::from(k)).fract();
+            let passes = [
+                pass(0.4 + shift, WHOLE),
+                pass(1.39 + shift, [-HALF, 3.0]),
+                pass(1.39 + shift, [-3.0, HALF]),
+            ];
+            let cut_back = |ends| cut_back(&passes, ends);
             let (mut near, mut far) = (0.0, 1.0);
             for _ in 0..12 {
                 let ends = [end, end + 0.5 * (near + far)];
