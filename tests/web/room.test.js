@@ -26,6 +26,15 @@ test('rooms reach above a control and beside it, and none of them meets one', ()
   }
 });
 
+test('what lies outside the picture, or partly, makes no room there', () => {
+  const aside = { left: -300, top: 20, right: -220, bottom: 90 };
+  const reaching = { left: -50, top: 600, right: 200, bottom: 900 };
+  for (const { left, top, right, bottom } of rooms(SIZE, [aside, reaching])) {
+    assert.ok(left >= 0 && top >= 0 && right <= SIZE.width && bottom <= SIZE.height);
+  }
+  assert.ok(has(rooms(SIZE, [aside, reaching]), { left: 200, top: 0, right: 600, bottom: 700 }));
+});
+
 test('where controls leave no room, they lie over the picture', () => {
   const covered = [{ left: 0, top: 50, right: 600, bottom: 650 }];
   assert.deepEqual(rooms(SIZE, covered), [{ left: 0, top: 0, right: 600, bottom: 700 }]);

@@ -1,7 +1,7 @@
 /** The camera: standard views, fitting, and the keys. */
 import { Box3, OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { meet, rooms } from './room.js';
+import { inside, meet, rooms } from './room.js';
 
 /** A long lens: little distortion, so that parallel passes look parallel. */
 const FIELD_OF_VIEW_DEG = 24;
@@ -9,6 +9,7 @@ const TURN_RAD = Math.PI / 36;
 const ZOOM = 1.12;
 /** Pixels between what is shown and the controls around it. */
 const MARGIN = 20;
+const CENTRE = { x: 0.5, y: 0.5 };
 
 /** Where each view looks from; z is up. @type {Record<string, [number, number, number]>} */
 const FROM = {
@@ -40,12 +41,12 @@ export function createCamera(canvas, covered, onChange) {
   const size = { width: 1, height: 1 };
   /** Where in the picture the box is shown, and the middle of that in parts of its sides. @type {import('./room.js').Room | null} */
   let room = null;
-  let middle = { x: 0.5, y: 0.5 };
-  /** The standard view in force, until somebody turns the picture. */
-  let standing = 'iso';
+  let middle = CENTRE;
   let isDown = false;
+  /** From where a fitted picture is looked at, until somebody turns it. @type {Vector3 | null} */
+  let standing = direction('iso');
   controls.addEventListener('start', () => {
-    standing = '';
+    standing = null;
   });
 
   /** The oblique view is from the side that is cut. @param {string} view */
@@ -104,6 +105,11 @@ export function createCamera(canvas, covered, onChange) {
     lens.aspect = aspect;
     const tall = Math.tan((lens.fov * Math.PI) / 360) * distance;
     Object.assign(parallel, { left: -tall * aspect, right: tall * aspect, top: tall, bottom: -tall });
+    offset();
+  }
+
+  /** Puts the middle of what is looked at where it belongs in the picture. */
+  function offset() {
     const { width, height } = size;
     const [x, y] = [(0.5 - middle.x) * width, (0.5 - middle.y) * height];
     for (const one of [lens, parallel]) one.setViewOffset(width, height, x, y, width, height);
@@ -128,7 +134,7 @@ export function createCamera(canvas, covered, onChange) {
 
   /** @param {number} around @param {number} over */
   function turn(around, over) {
-    standing = '';
+    standing = null;
     const arm = camera.position.clone().sub(controls.target);
     const angle = Math.acos(Math.max(-1, Math.min(1, arm.z / arm.length())));
     const next = Math.max(0.001, Math.min(Math.PI - 0.001, angle + over));
@@ -147,7 +153,7 @@ export function createCamera(canvas, covered, onChange) {
 
   /** @param {number} factor */
   function zoom(factor) {
-    standing = '';
+    standing = null;
     if (camera === parallel) {
       parallel.zoom /= factor;
       parallel.updateProjectionMatrix();
@@ -188,22 +194,31 @@ export function createCamera(canvas, covered, onChange) {
 
     /** @param {string} view 'fit' keeps the direction. */
     look(view) {
-      const from = FROM[view];
-      standing = from ? view : '';
-      fit(from ? direction(view) : camera.position.clone().sub(controls.target));
+      standing = FROM[view] ? direction(view) : camera.position.clone().sub(controls.target);
+      fit(standing);
     },
 
-    /** Fits again where controls have come to cover what a standard view shows. */
+    /** Fits again where controls have come to cover much of what was fitted: not for a line more or less. */
     settle() {
-      const place = room;
-      if (standing && place && covered().some((control) => meet(place, control))) fit(direction(standing));
+      const place = room && inside(room, 2 * MARGIN);
+      if (standing && place && covered().some((control) => meet(place, control))) fit(standing);
+    },
+
+    /** Draws once with what is fitted in the middle: where no controls are, nothing is to keep clear of them. @param {() => void} draw */
+    centred(draw) {
+      const kept = middle;
+      if (standing) middle = CENTRE;
+      offset();
+      draw();
+      middle = kept;
+      offset();
     },
 
     /** @param {number} width @param {number} height */
     resize(width, height) {
       Object.assign(size, { width, height });
       shape(parallel.top / Math.tan((lens.fov * Math.PI) / 360));
-      if (standing) fit(direction(standing));
+      if (standing) fit(standing);
     },
   };
 }

@@ -290,19 +290,21 @@ export function createCanvas3d(root, { onFace, onAt, onPoint, onPick }) {
     /** With perspective or without. @param {boolean} isParallel */
     project: (isParallel) => view.project(isParallel),
 
-    /** The picture as it stands, on a canvas that keeps it. */
+    /** The picture as it stands, what is fitted in its middle, on a canvas that keeps it. */
     copy() {
       path.move(false);
       drawing.move(false);
-      render();
       const copy = document.createElement('canvas');
       Object.assign(copy, { width: canvas.width, height: canvas.height });
-      const context = copy.getContext('2d');
-      if (context) {
+      view.centred(() => {
+        render();
+        const context = copy.getContext('2d');
+        if (!context) return;
         context.fillStyle = getComputedStyle(root).getPropertyValue('--stage-high');
         context.fillRect(0, 0, copy.width, copy.height);
         context.drawImage(canvas, 0, 0);
-      }
+      });
+      render();
       return copy;
     },
   };

@@ -50,8 +50,9 @@ export function createViewCube(root, onSide) {
   const flip = new Matrix4().makeScale(1, -1, 1);
 
   return {
-    /** What it covers of the page, however it is turned. */
+    /** What it covers of the page, however it is turned; nothing while it is not shown. */
     box() {
+      if (cube.getClientRects().length === 0) return new DOMRect();
       const { x, y } = cube.getBoundingClientRect();
       const reach = HALF * Math.sqrt(3);
       return new DOMRect(x - reach, y - reach, 2 * reach, 2 * reach);

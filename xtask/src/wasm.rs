@@ -79,14 +79,17 @@ fn build_one(module: &Module) -> Result<()> {
         fs::copy(bound.join(&name), folder().join(&name)).with_context(|| format!("copying {name}"))?;
     }
     let small = folder().join(&code);
-    if small.exists() && before == Some(fs::read(bound.join(&code))?) {
+    let (told, passes) = (bound.join("passes"), PASSES.join(" "));
+    let is_told = fs::read_to_string(&told).is_ok_and(|before| before == passes);
+    if small.exists() && is_told && before == Some(fs::read(bound.join(&code))?) {
         return Ok(());
     }
     // Whatever interrupts this must not leave the module of another build.
     if small.exists() {
         fs::remove_file(&small)?;
     }
-    shrink(&bound.join(&code), &small)
+    shrink(&bound.join(&code), &small)?;
+    fs::write(&told, passes).context("keeping what made the module small")
 }
 
 /// What the modules are compiled as; see `Cargo.toml`.
@@ -97,16 +100,26 @@ pub fn built(name: &str) -> PathBuf {
     shell::target().join(TARGET).join(PROFILE).join(name).with_extension("wasm")
 }
 
-/// Writes the module `from` to `to` without what is said twice. `-O1`: higher levels take three times as long for a
-/// thousandth of the size; the passes after it take a moment for nine thousandths.
+/// What makes modules small. `-O1`: higher levels take three times as long for a thousandth of the size; the passes after it take a
+/// moment for nine thousandths.
+const PASSES: [&str; 9] = [
+    "-O1",
+    "--dae-optimizing",
+    "--rse",
+    "--simplify-locals",
+    "--remove-unused-brs",
+    "--code-folding",
+    "--vacuum",
+    "--duplicate-function-elimination",
+    "--reorder-locals",
+];
+
+/// Writes the module `from` to `to` without what is said twice.
 fn shrink(from: &Path, to: &Path) -> Result<()> {
     let features = ["simd", "bulk-memory", "nontrapping-float-to-int", "sign-ext", "mutable-globals"];
     let more = ["reference-types", "multivalue", "extended-const"];
     let mut args: Vec<String> = features.iter().chain(&more).map(|name| format!("--enable-{name}")).collect();
-    let passes =
-        ["-O1", "--dae-optimizing", "--rse", "--simplify-locals", "--remove-unused-brs", "--code-folding"];
-    let last = ["--vacuum", "--duplicate-function-elimination", "--reorder-locals"];
-    args.extend(passes.iter().chain(&last).map(|name| name.to_string()));
+    args.extend(PASSES.map(String::from));
     args.extend([from.display().to_string(), "-o".into(), to.display().to_string()]);
     let args: Vec<&str> = args.iter().map(String::as_str).collect();
     page::tool("wasm-opt", &args).run()
