@@ -74,6 +74,53 @@ export async function set(page, path, value) {
   else await field.fill(String(value));
 }
 
+/** The controls over the picture that lie on colours of the surface, without the part's paths; the picture is taken without any control. */
+export async function controlsOverSurface(page) {
+  for (const layer of ['passes', 'links', 'rapids', 'cutter', 'zones', 'side']) {
+    const button = page.locator(`[data-layer="${layer}"][aria-pressed="true"]`);
+    if (await button.count()) await button.evaluate((element) => element.click());
+  }
+  const boxes = await page.evaluate(() =>
+    ['layers', 'views', 'legend', 'scrub'].map((id) => {
+      const { x, y, width, height } = document.getElementById(id).getBoundingClientRect();
+      return { id, x, y, width, height };
+    }),
+  );
+  const show = (opacity) =>
+    page.evaluate((value) => {
+      for (const control of document.querySelectorAll('#stage > :not(#canvas), .cube'))
+        control.style.opacity = value;
+    }, opacity);
+  await show('0');
+  await page.waitForTimeout(500);
+  const shot = (await page.screenshot({ scale: 'css' })).toString('base64');
+  await show('');
+  return page.evaluate(
+    async ([base64, boxes]) => {
+      const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+      const image = await createImageBitmap(new Blob([bytes]));
+      const context = new OffscreenCanvas(image.width, image.height).getContext('2d');
+      context.drawImage(image, 0, 0);
+      /** Ground and grid are grey. */
+      const colored = ({ x, y, width, height }) => {
+        const { data } = context.getImageData(x, y, width, height);
+        let count = 0;
+        for (let i = 0; i < data.length; i += 4) {
+          const pixel = data.subarray(i, i + 3);
+          if (Math.max(...pixel) - Math.min(...pixel) > 40) count += 1;
+        }
+        return count;
+      };
+      const stage = document.getElementById('stage').getBoundingClientRect();
+      return {
+        all: colored(stage),
+        covered: boxes.filter((box) => box.width && colored(box) > 20).map(({ id }) => id),
+      };
+    },
+    [shot, boxes],
+  );
+}
+
 const AXE = here('../../www/node_modules/axe-core/axe.min.js');
 
 /** What axe-core finds serious or critical on the page as it stands. */

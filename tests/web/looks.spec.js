@@ -1,5 +1,5 @@
 /** The page at the sizes and in the colours that people have: nothing overflows, and it looks as it did when people looked. */
-import { expect, expectToLookAs, picture, proof, test, visit } from './harness.js';
+import { controlsOverSurface, expect, expectToLookAs, picture, proof, test, visit } from './harness.js';
 
 const SIZES = {
   desktop: { width: 1440, height: 900 },
@@ -29,5 +29,25 @@ for (const sizes of [['desktop', 'tablet'], ['phone']]) {
       }
     }
     await context.close();
+  });
+}
+
+for (const size of ['desktop', 'phone']) {
+  test(`${size}: no control lies over the part, as it is first seen and after Fit`, async ({ page }) => {
+    test.setTimeout(240_000);
+    await page.setViewportSize(SIZES[size]);
+    await visit(page);
+    for (const surface of ['Wave', 'Blade']) {
+      await page.locator('#source button', { hasText: surface }).click();
+      expect(await proof(page)).toBe(true);
+      const first = await controlsOverSurface(page);
+      expect(first.all).toBeGreaterThan(4000);
+      expect(first.covered).toEqual([]);
+      await page.locator('.cube button[data-side=front]').evaluate((face) => face.click());
+      await page.locator('#views button', { hasText: 'Fit' }).click();
+      const fitted = await controlsOverSurface(page);
+      expect(fitted.all).toBeGreaterThan(1000);
+      expect(fitted.covered).toEqual([]);
+    }
   });
 }
