@@ -30,7 +30,7 @@ const AROUND: usize = 12;
 /// Times at which all of the face is looked at.
 const TIMES: usize = 8;
 /// The share of what may be left that is asked for where less was left before.
-const SHARE: f64 = 0.99;
+const SHARE: f64 = 0.994;
 /// Up to how much it counts what was left before, and how finely, in limits.
 const MUCH_LEFT: f64 = 8.0;
 const FINE: f64 = 1e-3;

@@ -133,8 +133,10 @@ pub(super) fn followed(
         let part = |name, from, to| stage.part(name, at(from), at(to));
         let own_share = |from, to, k| share(FILL, at(from), at(to), k);
         let moves = Moves::new(setup, passes.iter().flatten());
-        // Whatever stands too high was laid so or cut back to: at last all of it is looked for.
-        let sought = Sought { limit: setup.finish.scallop, finely: is_trimmed };
+        // Whatever stands too high was laid so or cut back to. Strips of chosen postures differ so much from one to the next that three of
+        // them may leave a point anywhere: at last all of those are looked for.
+        let finely = is_trimmed && !setup.postures.is_fixed();
+        let sought = Sought { limit: setup.finish.scallop, finely };
         let looks = match last.take() {
             Some(left) => left,
             None => first.looks(&moves, (others, &ridges), sought, &part(FILL, 0.0, 0.2))?,

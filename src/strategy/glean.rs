@@ -24,6 +24,9 @@ const COARSE: f64 = 0.02;
 /// share of that difference.
 const STEEP: f64 = 0.12;
 const RISE: f64 = 0.7;
+/// The share of the limit that counts as no more than it, where leads are fixed: their strips overlap by 0.3 % only, and where lines bend
+/// they leave the limit itself. It is 1.00 of it as far as that is written; strips of chosen postures overlap by more.
+const WITHIN: f64 = 1.004;
 /// Places nearer to each other than this belong together, in strips.
 const TOGETHER: f64 = 0.55;
 /// How far a short pass goes beyond what it is for, in strips.
@@ -134,9 +137,9 @@ impl Family<'_> {
 
     /// Those of `looks` where `moves` leave more than the limit: where the cutter can go, and where it cannot.
     pub(super) fn left(&self, looks: &[Uv], moves: &Moves, stage: &Stage) -> Result<[Vec<Uv>; 2], Cancelled> {
-        let limit = self.setup.finish.scallop;
         // A posture that is chosen may need a little more lead just here, which its pass then takes.
         let is_chosen = !self.setup.postures.is_fixed();
+        let limit = self.setup.finish.scallop * if is_chosen { 1.0 } else { WITHIN };
         let is_blocked = |uv: Uv| !is_chosen && self.setup.probe(uv, false) == Probe::Blocked;
         let is_left = |uv: Uv| moves.leave(uv, limit).then(|| is_blocked(uv));
         let told = stage.map(looks.len(), |k| is_left(looks[k]))?;
