@@ -78,7 +78,7 @@ pub(super) fn eased(
         // At first much is high wherever one looks.
         let finely = time > 0;
         let looks = looks(&moves, finely, &within(0.0, 0.4))?;
-        let mut high = ease.too_high(&moves, &looks, limit, &within(0.4, 0.5))?;
+        let mut high = ease.too_high(&moves, &looks, &within(0.4, 0.5))?;
         if finely && high.is_empty() {
             planned.passes = ease.passes(&stage.quiet())?;
             break;
@@ -174,15 +174,10 @@ impl<'a> Ease<'a> {
         Moves::of(self.setup, self.firsts.iter().map(ends).collect())
     }
 
-    /// Those of `looks` where `moves` leave too much: more than `limit` (mm), or was left before.
-    fn too_high(
-        &self,
-        moves: &Moves,
-        looks: &[Uv],
-        limit: f64,
-        stage: &Stage,
-    ) -> Result<Vec<High>, Cancelled> {
-        let whole = limit / SHARE;
+    /// Those of `looks` where `moves` leave too much: more than is asked for, or was left before.
+    fn too_high(&self, moves: &Moves, looks: &[Uv], stage: &Stage) -> Result<Vec<High>, Cancelled> {
+        let whole = self.setup.finish.scallop;
+        let limit = SHARE * whole;
         let high = |uv: Uv| {
             let most = if !self.before.leave(uv, limit) {
                 limit
@@ -399,24 +394,20 @@ fn is_same(a: &ClPoint, b: &ClPoint) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cutter::{Cutter, Tool};
     use crate::geometry::{Cylinder, Face, Field, Side};
     use crate::math::frame::Frame;
     use crate::posture::Rule;
-    use crate::strategy::family::{Detail, Family};
+    use crate::strategy::family::Detail;
     use crate::strategy::laid::Laid;
-    use crate::strategy::{Finish, Order};
+    use crate::strategy::trial::{FINISH, family};
     use glam::DVec3;
-    use std::sync::Arc;
-
-    const SCALLOP: f64 = 0.01;
 
     /// What passes leave half way between two of them on the tube, in scallops.
     fn between(setup: &Setup, passes: &[Pass], [from, to]: [f64; 2]) -> f64 {
         let moves = Moves::new(setup, passes.iter());
         let share = |v: f64| {
-            let height = moves.height(Uv::new(1.0, v), 1.5 * SCALLOP, 1e-3 * SCALLOP);
-            height.map_or(1.5, |height| height / SCALLOP)
+            let height = moves.height(Uv::new(1.0, v), 1.5 * FINISH.scallop, 1e-3 * FINISH.scallop);
+            height.map_or(1.5, |height| height / FINISH.scallop)
         };
         (0..=400).map(|k| share(from + (to - from) * f64::from(k) / 400.0)).fold(0.0, f64::max)
     }
@@ -425,15 +416,11 @@ mod tests {
     /// leave between them what may be left.
     #[test]
     fn passes_that_overlap_lean_more_until_they_meet() {
-        let frame = Frame { f: DVec3::X, b: DVec3::Y, n: DVec3::Z };
-        let tube = Cylinder::new(DVec3::ZERO, frame, 20.0, [0.0, 2.0], [0.0, 20.0]).unwrap();
-        let face = Face { surface: Arc::new(tube), side: Side::Front };
-        let tool = Tool { cutter: Cutter::bull_nose(10.0, 2.0, 40.0).unwrap(), holder: None };
         let (limits, stage) = (Limits { most_yaw: 0.0, ..Limits::default() }, Stage::silent());
-        let finish = Finish { scallop: SCALLOP, chord: 0.001 };
         let lay = |rule: &Rule| {
-            let family =
-                Family::new(&face, &tool, rule, finish, (Field::V, Field::U), Order::Zig, &stage).unwrap();
+            let frame = Frame { f: DVec3::X, b: DVec3::Y, n: DVec3::Z };
+            let tube = Cylinder::new(DVec3::ZERO, frame, 20.0, [0.0, 2.0], [0.0, 20.0]).unwrap();
+            let family = family(Face::new(tube, Side::Front), rule, (Field::V, Field::U));
             let middle = Uv::new(1.0, 10.0);
             let station = family.setup.station(middle, false).unwrap();
             let step = 0.96 * family.setup.width(middle, false, &station).unwrap();
@@ -457,7 +444,7 @@ mod tests {
             most = most.max(more);
             assert!(more >= 0.0 && a.cc.point == b.cc.point);
             assert!(b.work.strip <= a.work.strip);
-            assert!(more <= 0.0 || is_same(&b.cl, &cl_of(&tool.cutter, &b.cc)));
+            assert!(more <= 0.0 || is_same(&b.cl, &cl_of(setup.cutter, &b.cc)));
         }
         assert!(most > 1e-3);
         for pair in after.iter().flat_map(|pass| pass.stations.windows(2)) {
